@@ -62,7 +62,7 @@ add_handed_in(04_uv_conventions "${lesson}" "only_double.*<double>")
 
 # A lesson that must not compile, by its number, and what the first error must say, in the build for learning and in the other one.
 if(TAKES_GNU_OPTIONS)
-  set(misspelt_hook "prepair.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|prepair.*override")
+  set(misspelt_hook "biuld.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|biuld.*override")
   set(misspelt_fact "no non-static data member named .*idae|field designator 'idae'")
   set(no_hooks "a lesson begins with")
   set(no_facts "a lesson says what it is about")
@@ -71,10 +71,11 @@ if(TAKES_GNU_OPTIONS)
   set(texture_of_numbers "a texture .* returns no Color<Real> such as gray.x.")
   set(branch_in_packs "a pack of numbers has no single value for `if`.*Numbers::single")
   set(branch_in_intervals "may be both true and false, which `if` .*Numbers::single")
+  set(forgotten_build "a lesson with `options` uses them in")
   set(wave_in_intervals "intervals have no sin.*Numbers::no_intervals")
   set(number 0)
   foreach(mistake misspelt_hook misspelt_fact no_hooks no_facts call_that_is_not_const vector_as_color texture_of_numbers
-      branch_in_packs branch_in_intervals wave_in_intervals)
+      branch_in_packs branch_in_intervals wave_in_intervals forgotten_build)
     math(EXPR number "${number} + 1")
     foreach(build TEXMAP_LEARN ALL_NUMBERS)
       if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there

@@ -35,8 +35,8 @@ struct Lesson : LessonHooks {
   };
   TextureFile texture{"earth.png"};
 
-  void options(CommandLine& line) override { offer(line, texture); }
-  void prepare(Session&) override {
+  Groups options() override { return {texture}; }
+  void build(Chosen&) override {
     objects[middle].paint = Textured{.mapping = {}, .texture = {texture.load()}};
   }
 

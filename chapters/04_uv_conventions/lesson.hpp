@@ -43,8 +43,8 @@ struct Lesson : LessonHooks {
   LayoutOptions layout;
   UvOptions uv;
 
-  void options(CommandLine& line) override { offer(line, texture, layout, uv); }
-  void prepare(Session&) override {
+  Groups options() override { return {texture, layout, uv}; }
+  void build(Chosen&) override {
     const ConventionMapping mapping{layout.convention};
     objects[middle].paint = Textured{uv.moved(mapping), uv.read(layout.load(texture))};
   }

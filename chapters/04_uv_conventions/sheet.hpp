@@ -20,10 +20,9 @@ using DrawGlobe = std::function<Image(Convention convention, int width, int heig
 template <class Lesson>
 [[nodiscard]] Image sheet_of_conventions(Lesson globe, Session& session) {
   globe.stage.camera.fov_y_degrees = 20;
-  globe.texture.kept = globe.texture.load();
   return sheet_of_conventions(session, [&](Convention convention, int width, int height) {
     globe.layout.convention = convention;
-    globe.prepare(session);
+    globe.build(session.chosen);
     return session.draw(globe, width, height);
   });
 }
@@ -37,9 +36,9 @@ void show_conventions(const Lesson& lesson, Session& session) {
   constexpr std::array of_the_globe{"--convention", "--rounding",  "--uv-scale",
                                     "--uv-turn",    "--uv-offset", "--wrap"};
   if (std::none_of(of_the_globe.begin(), of_the_globe.end(),
-                   [&](const char* option) { return session.was_given(option); }))
+                   [&](const char* option) { return session.chosen.was_given(option); }))
     return save_sheet(session, sheet_of_conventions(lesson, session));
-  session.default_size(800, 600);
+  session.chosen.default_size(800, 600);
   session.save(session.draw(lesson));
 }
 

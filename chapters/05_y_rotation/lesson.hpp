@@ -40,8 +40,8 @@ struct Lesson : LessonHooks {
   LayoutOptions layout;
   Turntable turn;
 
-  void options(CommandLine& line) override { offer(line, texture, layout, turn); }
-  void prepare(Session&) override {
+  Groups options() override { return {texture, layout, turn}; }
+  void build(Chosen&) override {
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
   }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/app/chosen.hpp"
 #include "engine/app/phong_options.hpp"
-#include "engine/app/session.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/conventions.hpp"
@@ -18,7 +18,7 @@ namespace texmap::chapter_06 {
 /// rays go through pixel corners. The picture is twice as wide as high; its upper and lower edges
 /// are at the tangents 1/2 and -1/2.
 template <class Lesson>
-void set_lecture_scene(Lesson& lesson, Session& session) {
+void set_lecture_scene(Lesson& lesson, Chosen& chosen) {
   const Solid paper{{1, 1, 1}};
   const Solid yellow{{1, 1, 0}};
   lesson.objects = {
@@ -40,16 +40,16 @@ void set_lecture_scene(Lesson& lesson, Session& session) {
               .anchor = PixelAnchor::corner,
           },
   };
-  if (!session.was_given("--convention")) lesson.layout.convention = Convention::lecture;
-  if (!session.was_given("--degrees")) lesson.turn.degrees = 0;
-  session.default_size(
-      800, std::max(1, (session.was_given("--width") ? session.settings.width : 800) / 2));
+  if (!chosen.was_given("--convention")) lesson.layout.convention = Convention::lecture;
+  if (!chosen.was_given("--degrees")) lesson.turn.degrees = 0;
+  chosen.default_size(800,
+                      std::max(1, (chosen.was_given("--width") ? chosen.settings.width : 800) / 2));
 }
 
 /// The stage, or the lecture's scene if the user asks for it, and the globe's highlight.
 template <class Lesson>
-void choose_scene(Lesson& lesson, Session& session) {
-  if (lesson.phong.resolve(session) == PhongScene::lecture) set_lecture_scene(lesson, session);
+void choose_scene(Lesson& lesson, Chosen& chosen) {
+  if (lesson.phong.resolve(chosen) == PhongScene::lecture) set_lecture_scene(lesson, chosen);
   lesson.phong.apply_to(lesson.objects.front().material);
 }
 

@@ -41,9 +41,9 @@ struct Lesson : LessonHooks {
   Turntable turn{.degrees = 20};  // the highlight lies on the sea
   PhongOptions phong;
 
-  void options(CommandLine& line) override { offer(line, texture, layout, turn, phong); }
-  void prepare(Session& session) override {
-    choose_scene(*this, session);
+  Groups options() override { return {texture, layout, turn, phong}; }
+  void build(Chosen& chosen) override {
+    choose_scene(*this, chosen);
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/app/globe_options.hpp"
 #include "engine/app/layout_options.hpp"
 #include "engine/app/lesson.hpp"
 #include "engine/app/sampling_options.hpp"
@@ -20,7 +21,7 @@ using Textured = Mapped<Rotated<ConventionMapping>, LightTexture>;
 using Object = Painted<Textured>;
 enum ObjectIndex { middle };  // in the order of `objects`
 
-struct Lesson : LessonHooks {
+struct Lesson : PathLesson {
   static constexpr About about{
       .idea = "many samples per pixel, and light that comes from everywhere",
       .size = {400, 225},
@@ -33,12 +34,12 @@ struct Lesson : LessonHooks {
   TextureFile texture{"earth.png"};
   LayoutOptions layout;
   Turntable turn{.degrees = 0};
-  SamplingOptions sampling;
+  GlobeOptions globe;
 
-  void options(CommandLine& line) override { offer(line, texture, layout, turn, sampling); }
-  void prepare(Session&) override {
+  Groups options() override { return {texture, layout, turn, sampling, globe}; }
+  void build(Chosen&) override {
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
-    sampling.apply_to(objects, stage);  // which puts the globe on a ground
+    globe.apply_to(objects, stage);  // which puts the globe on a ground
   }
 
   /// The color that one ray sees.

@@ -7,12 +7,13 @@
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/mesh_mapping.hpp"
+#include "texture/surface.hpp"
 
 namespace texmap::chapter_08 {
 
 using Textured = Mapped<Transformed<MeshMapping>, published::LookUpTexture>;
 
-struct Lesson : LessonHooks {
+struct Lesson : MeshLesson {
   static constexpr About about{
       .idea = "a crate of triangles, with texture coordinates in its corners",
       .size = {480, 360},
@@ -25,10 +26,13 @@ struct Lesson : LessonHooks {
   TextureFile texture{"crate.png", "the picture on the mesh, a PNG or JPEG"};
   MeshOptions choice;
 
-  void options(CommandLine& line) override { offer(line, texture, choice); }
-  void prepare(Session&) override {
-    scene = choice.load();
+  Groups options() override { return {texture, choice}; }
+  void build(Chosen& chosen) override {
+    scene = choice.load(chosen);
     paint = {choice.uv.moved(MeshMapping{scene.mapping}), choice.uv.read({texture.load()})};
+  }
+  Surface<double> first_surface(const Ray<double>& ray) const override {
+    return surface_at(choice.weighted(scene.mesh, first_hit(scene.mesh, ray)), paint);
   }
 
   /// The color that one ray sees.

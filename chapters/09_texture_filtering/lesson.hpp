@@ -12,6 +12,7 @@
 #include "texture/floor_mapping.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"
+#include "texture/surface.hpp"
 
 namespace texmap::chapter_09 {
 
@@ -34,12 +35,17 @@ struct Lesson : FilteredLesson {
   };
   TextureFile texture{"earth.png"};
 
-  void options(CommandLine& line) override { offer(line, texture, filtering); }
-  void prepare(Session&) override {
+  Groups options() override { return {texture, filtering}; }
+  void build(Chosen&) override {
     keep_scene(*this);
     ground.texture = filtering.load_floor();
     const Textured globe{{rotation_y(60), {}}, filtering.load_globe(texture)};
     for (Object& object : objects) object.paint = globe;
+  }
+  Surface<double> first_surface(const Ray<double>& ray) const override {
+    const Surface<double> nearest = surface_of(objects, ray);
+    if (nearest.object >= 0) return nearest;
+    return surface_of(floor, ground.mapping, static_cast<int>(objects.size()), ray);
   }
   void draw_all(Session& session) override { show_filters(*this, session); }
 

@@ -8,11 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/budget_options.hpp"
+#include "engine/app/chosen.hpp"
 #include "engine/app/command_line.hpp"
-#include "engine/app/session.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/system/system.hpp"
 
 namespace texmap::chapter_09 {
 namespace {
@@ -106,20 +104,20 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
 }
 
 std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
-                                         Session& session) {
-  const Budget budget = read_budget(session.settings.budget);
-  if (budget.unit == Budget::Unit::exact) return {};
-  if (session.was_given("--filter"))
+                                         Chosen& chosen) {
+  const Budget& budget = chosen.settings.budget;
+  if (budget.is_exact()) return {};
+  if (chosen.was_given("--filter"))
     throw UsageError("--budget chooses the filter: leave out --filter or --budget");
   if (budget.unit == Budget::Unit::texels) {
     throw UsageError("--budget: a filter's error is an amount of light: give exact or levels=N");
   }
-  if (session.settings.zoom != 1)
+  if (chosen.settings.zoom != 1)
     throw UsageError("--budget chooses a filter for the whole picture: leave --zoom out");
-  session.default_size(800, 600);
+  chosen.default_size(800, 600);
   FilterPlan plan =
-      plan_filter(scene(), budget.limit, session.settings.width, session.settings.height);
-  if (!session.settings.quiet) print(plan.text);
+      plan_filter(scene(), budget.limit, chosen.settings.width, chosen.settings.height);
+  chosen.say(plan.text);
   return plan;
 }
 

@@ -11,7 +11,7 @@
 #include "texture/filters.hpp"
 
 namespace texmap {
-class Session;
+class Chosen;
 }
 
 namespace texmap::chapter_09 {
@@ -75,6 +75,6 @@ template <class Lesson>
 /// @param scene  called if there is a budget
 /// Errors: UsageError for a budget in texels, and for a filter and a budget.
 [[nodiscard]] std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
-                                                       Session& session);
+                                                       Chosen& chosen);
 
 }  // namespace texmap::chapter_09

@@ -41,12 +41,12 @@ template <class Lesson>
 template <class Lesson>
 void show_filters(Lesson& lesson, Session& session) {
   const auto scene = [&lesson] { return planned_scene(lesson); };
-  if (const auto plan = plan_by_budget(scene, session)) {
+  if (const auto plan = plan_by_budget(scene, session.chosen)) {
     read_by(lesson, plan->filter, plan->taps);
     return session.save(session.draw(lesson));
   }
-  if (session.was_given("--filter")) {
-    session.default_size(800, 600);
+  if (session.chosen.was_given("--filter")) {
+    session.chosen.default_size(800, 600);
     return session.save(session.draw(lesson));
   }
   std::optional<FloorView> floor;

@@ -42,8 +42,8 @@ struct Lesson : LessonHooks {
   TextureFile texture{"earth.png"};
   ProjectionOptions layout;
 
-  void options(CommandLine& line) override { offer(line, texture, layout); }
-  void prepare(Session&) override {
+  Groups options() override { return {texture, layout}; }
+  void build(Chosen&) override {
     objects[middle].paint = Textured{{layout.on_globe()}, layout.load(texture)};
   }
   void draw_all(Session& session) override { show_projections(*this, session); }

@@ -138,12 +138,12 @@ void save_sheet(Session& session, const Image& sheet) {
   session.save(sheet);
 }
 
-void save_converted(Session& session, const TextureFile& file, const ProjectionOptions& layout) {
+void save_converted(Session& session, TextureFile& file, const ProjectionOptions& layout) {
   const Image image = file.load();
   const Projection to = layout.to.value_or(layout.from);
   const PictureSize size = converted_size(image, layout.from, to);
-  session.default_size(size.width, size.height);
-  session.check();
+  session.chosen.default_size(size.width, size.height);
+  session.chosen.check();
   if (!session.settings.quiet) print(about_layout(file.name, image));
   const PictureSize wanted{session.settings.width, session.settings.height};
   session.save(session.timed(

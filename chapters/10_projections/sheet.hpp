@@ -18,7 +18,7 @@ using DrawGlobe = std::function<Image(const Image& picture, int width, int heigh
 
 /// The same for a lesson: only its globe's paint changes.
 template <class Lesson>
-[[nodiscard]] Image sheet_of_projections(const Lesson& lesson, Session& session) {
+[[nodiscard]] Image sheet_of_projections(Lesson& lesson, Session& session) {
   const auto draw_globe = [&](const Image& picture, int width, int height) {
     Lesson globe = lesson;
     globe.stage.camera.fov_y_degrees = 18;
@@ -31,14 +31,14 @@ template <class Lesson>
 /// Saves the sheet and prints the table of figures.
 void save_sheet(Session& session, const Image& sheet);
 /// Converts the texture's file, saves it, and says which layout the file probably has.
-void save_converted(Session& session, const TextureFile& file, const ProjectionOptions& layout);
+void save_converted(Session& session, TextureFile& file, const ProjectionOptions& layout);
 
 /// Draws and saves what the user asked for.
 template <class Lesson>
-void show_projections(const Lesson& lesson, Session& session) {
+void show_projections(Lesson& lesson, Session& session) {
   if (lesson.layout.to) return save_converted(session, lesson.texture, lesson.layout);
   if (lesson.layout.projection) {
-    session.default_size(800, 600);
+    session.chosen.default_size(800, 600);
     return session.save(session.draw(lesson));
   }
   save_sheet(session, sheet_of_projections(lesson, session));

@@ -26,6 +26,11 @@ struct GlobeBumps : Bumps<Height> {
   [[nodiscard]] Vec3<Real> operator()(const Hit<Real>& hit, const Real& curvature) const {
     return map ? (*map)(hit, curvature) : Bumps<Height>::operator()(hit, curvature);
   }
+  /// The same where a ray met an object.
+  template <class Real, class Object>
+  [[nodiscard]] Vec3<Real> operator()(const Object& object, const Hit<Real>& hit) const {
+    return (*this)(hit, inverse_radius<Real>(object.shape));
+  }
 };
 
 /// What the user chose: a normal map, or heights with their relief and slopes.

@@ -15,6 +15,7 @@
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"
+#include "texture/surface.hpp"
 
 namespace texmap::chapter_11 {
 
@@ -45,12 +46,15 @@ struct Lesson : LessonHooks {
   BumpOptions bump;
   GlobeBumps bumps;
 
-  void options(CommandLine& line) override { offer(line, texture, layout, turn, bump); }
-  void prepare(Session& session) override {
-    bump.check(session);
+  Groups options() override { return {texture, layout, turn, bump}; }
+  void build(Chosen& chosen) override {
+    bump.check(chosen);
     bumps = make_bumps(bump, {turn.rotation(), {layout.convention}});
-    if (!bump.paints(session)) return;  // white
+    if (!bump.paints(chosen)) return;  // white
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
+  }
+  Surface<double> first_surface(const Ray<double>& ray) const override {
+    return surface_of(objects, ray, bumps);
   }
   void draw_all(Session& session) override { show_bumps(*this, session); }
 
@@ -58,7 +62,7 @@ struct Lesson : LessonHooks {
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
     return color_along(objects, ray, stage.sky, [&](const Object& object, const Hit<Real>& hit) {
-      const Vec3<Real> normal = bumps(hit, inverse_radius<Real>(object.shape));
+      const Vec3<Real> normal = bumps(object, hit);
       const LightSample<Real> light = sample_light(stage.light, objects, hit, normal);
       const Color<Real> color = object.paint(hit);
       return color * lambert(surface, light);

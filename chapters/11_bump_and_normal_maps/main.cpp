@@ -1,7 +1,6 @@
 // Runs this chapter's lesson.
 #include "engine/app/run_chapter.hpp"
 #include "lesson.hpp"
-#include "surface.hpp"
 
 int main(int argc, char** argv) {
   return texmap::run_chapter<texmap::chapter_11::Lesson>(TEXMAP_CHAPTER, argc, argv);

@@ -38,7 +38,7 @@ template <class Lesson>
     globe.stage.camera.eye = {0, 5.5, 2.4};
     globe.stage.camera.target = {0, 0.7, 0.1};
     globe.stage.camera.fov_y_degrees = 17;
-    globe.prepare(session);
+    globe.build(session.chosen);
     return session.draw(globe, half, half);
   };
   return side_by_side(from_above(HeightKind::uv), "waves in (u, v): they crowd at the pole",
@@ -48,9 +48,7 @@ template <class Lesson>
 /// Draws and saves what the user asked for.
 template <class Lesson>
 void show_bumps(Lesson& lesson, Session& session) {
-  const auto size = [&](int width, int height) {
-    session.default_size(session.was_given("--width") ? session.settings.width : width, height);
-  };
+  const auto size = [&](int width, int height) { session.chosen.default_size(width, height); };
   const auto drawn = [&](const std::function<Image(int width)>& draw_sheet) {
     const double width = session.settings.width;
     session.save(session.timed(width * session.settings.height, [&](const RenderSettings&) {

@@ -15,7 +15,7 @@ namespace texmap::chapter_12 {
 using Object = Painted<Coat>;
 enum ObjectIndex { matte, mirroring, small, ground };  // in the order of `objects`
 
-struct Lesson : LessonHooks {
+struct Lesson : PathLesson {
   static constexpr About about{
       .idea = "a picture as the sky: seen, mirrored, and as the light of matte surfaces",
       .size = {800, 450},
@@ -30,14 +30,10 @@ struct Lesson : LessonHooks {
       Object{.shape = {.center = {0, -1001, 0}, .radius = 1000}, .paint = {{0.5, 0.48, 0.42}}},
   };
   SkyOptions sky;
-  SamplingOptions sampling;
 
-  void options(CommandLine& line) override {
-    offer(line, sky);
-    sampling = {.sampler = SamplerKind::multi_jitter, .samples = 32};
-    sampling.declare_gathering(line);
-  }
-  void prepare(Session& session) override { stage.sky = sky.load(session); }
+  Lesson() { sampling = {.sampler = SamplerKind::multi_jitter, .samples = 32}; }
+  Groups options() override { return {sky, sampling}; }
+  void build(Chosen& chosen) override { stage.sky = sky.load(chosen); }
 
   /// The color that one ray sees.
   template <class Real>

@@ -360,9 +360,12 @@ Image reference_picture(const Globe& globe, const View<>& view, Filter filter) {
 
 Film sampled(const Globe& globe, const View<>& view, const Variant& variant, const Sampler& sampler,
              int threads) {
-  const ManyRayScene scene{{{globe.sphere, {&globe, {variant.degree}}}},
+  const ManyRayScene scene{{},
+                           {{globe.sphere, {&globe, {variant.degree}}}},
                            {.sky = {.below = globe.sky, .above = globe.sky}}};
-  return gather(scene, scene.objects, view, {sampler}, {}, variant.number,
+  const auto bounds =
+      bounds_of_view(scene.objects, scene.stage.sky, scene.lens, {}, sampler.samples());
+  return gather(scene, scene.objects, view, {sampler}, bounds, variant.number,
                 {.threads = threads, .instructions = variant.instructions});
 }
 

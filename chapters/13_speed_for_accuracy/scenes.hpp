@@ -102,9 +102,9 @@ struct OneRayScene {
   }
 };
 
-/// Many rays per pixel, spread by a sampler, under the sky's light.
-struct ManyRayScene {
-  /// A paint that hides its mapping: no patches are compiled for it.
+/// Many rays per pixel, spread by a sampler, under the sky's light. Its paint is no Mapped one: no
+/// patches are compiled for it.
+struct ManyRayScene : GathersLight {
   struct Surface {
     const Globe* globe;
     PlannedMapping uv_of;
@@ -117,15 +117,12 @@ struct ManyRayScene {
 
   std::vector<Painted<Surface>> objects;
   Stage stage;
-  struct {
-    Lens lens;
-  } sampling{};
+  Lens lens{};
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at,
                                        auto& random) const {
-    return light_along(scene.objects, sampling.lens.ray(scene.view, at, random), scene.sky, 1,
-                       random);
+    return light_along(scene.objects, lens.ray(scene.view, at, random), scene.sky, 1, random);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/app/budget_options.hpp"
+#include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
@@ -170,11 +171,28 @@ std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& 
   return names;
 }
 
+void TradeOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
+  line.text("--budget", "BUDGET", budget,
+            "also recommend a way for this allowed error: exact, texels=0.001 or levels=2");
+  line.choice<Instructions>("--instructions", widest,
+                            {{"baseline", Instructions::baseline},
+                             {"avx2", Instructions::avx2},
+                             {"avx512", Instructions::avx512}},
+                            "the widest vector instructions that packs may use");
+  line.whole("--rounds", rounds, 1, 10000,
+             "how often to time each variant; the shortest time counts");
+  line.whole("--seconds", seconds, 1, 1000000,
+             "after so many seconds of timing, skip every round beyond the fifth");
+}
+
 void Lesson::draw_all(Session& session) {
+  session.chosen.settings.instructions = trade.widest;
+  session.chosen.check();
   const Settings& settings = session.settings;
   std::vector<Budget> budgets = {read_budget("exact"), read_budget("texels=0.01"),
                                  read_budget("levels=1")};
-  if (!budget.empty()) budgets.push_back(read_budget(budget));
+  if (!trade.budget.empty()) budgets.push_back(read_budget(trade.budget));
   const std::vector<std::filesystem::path> report = names_of_report(path_of(settings.out));
   for (const std::filesystem::path& file : report) check_output(file);  // before anything long
   const Globe globe(texture.load());

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/budget.hpp"
 #include "engine/kernels/turns.hpp"
+#include "engine/measure/budget.hpp"
 #include "engine/measure/interleaved.hpp"
 #include "engine/measure/machine.hpp"
 #include "engine/measure/plot.hpp"

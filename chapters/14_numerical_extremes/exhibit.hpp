@@ -13,8 +13,9 @@
 #include "texture/uv.hpp"
 
 namespace texmap {
-class CommandLine;
+class Chosen;
 class Session;
+struct Offer;
 }  // namespace texmap
 
 namespace texmap::chapter_14 {
@@ -90,10 +91,10 @@ struct ExhibitOptions {
   NumberKind number = NumberKind::double_;
   int samples = 1;
 
-  void declare(CommandLine& line);
-  /// Hands number, samples and size on to the session.
+  void declare(Offer& offer);
+  /// Hands number, samples and size on to the settings.
   /// Errors: UsageError for options that mean nothing on the sheet.
-  void apply_to(Session& session) const;
+  void apply_to(Chosen& chosen) const;
 };
 
 /// How far one picture is from the reference.

@@ -2,30 +2,29 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/lesson.hpp"
+#include "engine/app/session.hpp"
 #include "engine/app/texture_file.hpp"
 #include "exhibit.hpp"
 
 namespace texmap::chapter_14 {
 
-struct Lesson : LessonHooks {
+struct Lesson : SheetLesson {
   static constexpr About about{
       .idea = "what breaks at the limits of a number, and the formulas that hold",
       .size = {1680, 1900},
       .numbers = Numbers::single,  // the published formulas branch, and packs cannot
-      .without = {"--number", "--samples", "--zoom"},  // the exhibit's options have them
   };
 
   TextureFile texture{"earth.png"};
   TextureFile labels{"uv_map.png"};
   ExhibitOptions exhibit;
 
-  [[nodiscard]] std::vector<Exhibit> exhibits() const {
+  [[nodiscard]] std::vector<Exhibit> exhibits() {
     return all_exhibits(texture.load(), labels.load());
   }
 
-  void options(CommandLine& line) override { offer(line, texture, exhibit); }
-  void prepare(Session& session) override { exhibit.apply_to(session); }
+  Groups options() override { return {texture, exhibit}; }
+  void build(Chosen& chosen) override { exhibit.apply_to(chosen); }
   void draw_all(Session& session) override { show_exhibits(exhibits(), exhibit, session); }
 };
 

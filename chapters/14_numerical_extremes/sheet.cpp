@@ -84,7 +84,8 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels, in
 
 }  // namespace
 
-void ExhibitOptions::declare(CommandLine& line) {
+void ExhibitOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   const Image any_texture(1, 1);
   line.text("--exhibit", "NAME", name,
             "draw this exhibit alone, at 800 x 600 unless you give another size: " +
@@ -103,14 +104,14 @@ void ExhibitOptions::declare(CommandLine& line) {
   line.whole("--samples", samples, 1, 65536, "with --exhibit: rays per pixel");
 }
 
-void ExhibitOptions::apply_to(Session& session) const {
+void ExhibitOptions::apply_to(Chosen& chosen) const {
   if (!name.empty()) {
-    session.settings.number = number;
-    session.settings.samples = samples;
-    return session.default_size(800, 600);
+    chosen.settings.number = number;
+    chosen.settings.samples = samples;
+    return chosen.default_size(800, 600);
   }
   for (const char* const option : {"--number", "--samples", "--formulas"}) {
-    if (session.was_given(option)) {
+    if (chosen.was_given(option)) {
       throw UsageError(
           "--number, --samples and --formulas need --exhibit NAME: the sheet shows float and "
           "double, published and robust");

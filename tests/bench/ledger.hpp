@@ -129,19 +129,9 @@ struct NumbersAnyway : chapter_07::Lesson {
   }
 };
 
-/// Chapter 07's lesson, which says that its lens blurs: rays are then traced also where the globe
-/// cannot be seen.
+/// Chapter 07's lesson, which traces rays also where the globe cannot be seen.
 struct WithoutBounds : chapter_07::Lesson {
-  struct {
-    struct {
-      [[nodiscard]] static bool blurs() { return true; }
-    } lens;
-  } sampling;
-
-  template <class Real>
-  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
-    return chapter_07::Lesson::operator()(scene, at, random);
-  }
+  static constexpr bool is_traced_everywhere = true;
 };
 
 /// Chapter 08's lesson without (u, v), texture and light: first hits and shadows alone.

@@ -14,7 +14,7 @@ template <class As, class Lesson = As>
     const auto lesson = prepared<Lesson>(options);
     As other;
     static_cast<Lesson&>(other) = lesson;
-    const int height = GathersLight<Lesson> ? 113 : 150;
+    const int height = std::derived_from<Lesson, GathersLight> ? 113 : 150;
     return std::make_shared<LessonWork<As, InDouble>>(std::move(other), 200, height);
   };
 }

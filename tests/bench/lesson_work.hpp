@@ -39,18 +39,18 @@ class LessonWork : public Drawing {
 
   void run(const Variant& variant) override {
     settings_.instructions = variant.instructions;
-    if constexpr (GathersLight<Lesson>) {
-      const int samples = sampler_.samples();
-      run_work({lesson_, objects_, view_, sampler_,
-                bounds_of_view(lesson_, objects_, plan_.smoothing, samples), settings_},
-               variant);
+    if constexpr (std::derived_from<Lesson, GathersLight>) {
+      auto bounds = bounds_of_view(objects_, lesson_.stage.sky, lesson_.sampling.lens,
+                                   plan_.smoothing, sampler_.samples());
+      if constexpr (requires { Lesson::is_traced_everywhere; }) bounds = {};
+      run_work({lesson_, objects_, view_, sampler_, bounds, settings_}, variant);
     } else {
       run_work({lesson_, view_, settings_}, variant);
     }
   }
   [[nodiscard]] Image picture(const Variant& variant) override {
     run(variant);
-    if constexpr (GathersLight<Lesson>) {
+    if constexpr (std::derived_from<Lesson, GathersLight>) {
       return develop(*result_, Transfer::srgb);
     } else {
       return *result_;
@@ -61,7 +61,7 @@ class LessonWork : public Drawing {
   using Work = WorkOf<Lesson>;
 
   [[nodiscard]] static auto objects_of(const KernelPlan& plan, const Lesson& lesson) {
-    if constexpr (GathersLight<Lesson>) {
+    if constexpr (std::derived_from<Lesson, GathersLight>) {
       return planned_objects(plan, lesson.objects);
     } else {
       return std::false_type();

@@ -196,6 +196,7 @@ TEST_CASE("wrong options are refused, and a floor that is not there is named") {
 
 TEST_CASE("a plot of errors needs the floor that they are measured on") {
   CommandLine line("test", "");
-  Session session("test", line, Lesson::about);
+  Chosen chosen("test", Offer{.line = line}, Lesson::about);
+  Session session(chosen);
   CHECK_THROWS_AS(chapter_09::show_sheet(session, {}, "plot.svg", {}), UsageError);
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "13_speed_for_accuracy/lesson.hpp"
+#include "engine/app/run_chapter.hpp"
 #include "engine/measure/text.hpp"
 #include "support/shown_values.hpp"
 
@@ -407,8 +408,8 @@ TEST_CASE("a number and samples cannot be chosen, and budgets that are none are 
   const auto show = [](const std::vector<std::string>& words) {
     Lesson lesson;
     CommandLine line("test", "");
-    lesson.options(line);
-    Session session("test", line, Lesson::about);
+    Chosen chosen("test", offer_of(lesson, line), Lesson::about);
+    Session session(chosen);
     if (line.parse(words)) lesson.draw_all(session);
   };
   CHECK_THROWS_AS(show({"--number", "float"}), UsageError);

@@ -27,7 +27,8 @@ namespace {
 /// A session without an option, for as long as it lives.
 struct Alone {
   CommandLine line{"test", ""};
-  Session session{"test", line, Lesson::about};
+  Chosen chosen{"test", Offer{.line = line}, Lesson::about};
+  Session session{chosen};
 };
 
 /// The sheet as the program draws it.
@@ -55,9 +56,9 @@ Mistakes mistakes(const std::string& name, Variant variant) {
 /// An exhibit as the program draws it alone, in the size of the sheet's pictures.
 Image drawn(const std::string& name, Formulas formulas, NumberKind number) {
   Alone alone;
-  alone.session.settings.width = 202;
-  alone.session.settings.height = 149;
-  alone.session.settings.number = number;
+  alone.chosen.settings.width = 202;
+  alone.chosen.settings.height = 149;
+  alone.chosen.settings.number = number;
   return draw_exhibit(Lesson{}.exhibits(), name, formulas, alone.session);
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
+#include "engine/app/texture_file.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/mapped.hpp"
@@ -21,7 +22,7 @@ struct Base {
 #if MISTAKE == 1
 struct Lesson : LessonHooks, Base {
   static constexpr About about{.idea = "a sky"};
-  void prepair(Session&) override {}
+  void biuld(Chosen&) override {}
 };
 #elif MISTAKE == 2
 struct Lesson : LessonHooks, Base {
@@ -63,6 +64,13 @@ struct Lesson : LessonHooks, Base {
   Color<Real> operator()(const Ray<Real>& ray) const {
     return Mapped<RtiowMapping, Grays>{}(Hit<Real>{.normal = ray.direction});
   }
+};
+#elif MISTAKE == 11
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a picture that is never loaded"};
+  TextureFile texture{"earth.png"};
+  Groups options() override { return {texture}; }
+  void biuld(Chosen&) {}
 };
 #elif MISTAKE <= 10
 struct Lesson : LessonHooks, Base {

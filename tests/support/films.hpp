@@ -24,7 +24,8 @@ template <class Real = double, class Lesson>
   const auto objects = planned_objects(plan, lesson.objects);
   return gather<number_in<Lesson, Real>>(
       lesson, objects, view, {Sampler(drawn.kind, samples, drawn.seed)},
-      bounds_of_view(lesson, objects, plan.smoothing, samples), {.threads = drawn.threads});
+      bounds_of_view(objects, lesson.stage.sky, lesson.sampling.lens, plan.smoothing, samples),
+      {.threads = drawn.threads});
 }
 
 /// Root mean square difference of two films, over pixels and channels.

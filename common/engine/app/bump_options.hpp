@@ -9,8 +9,8 @@
 
 namespace texmap {
 
-class CommandLine;
-class Session;
+struct Offer;
+class Chosen;
 
 enum class HeightKind {
   image,  ///< of an image in (u, v)
@@ -36,16 +36,16 @@ struct BumpOptions {
   std::string normals;  ///< the file of a normal map in place of heights; empty: none
   Green green = Green::up;
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// The height image. Errors: FileError with the file and where it was looked for.
   [[nodiscard]] LightImage load() const;
   /// The normal map as a texture of bytes / 255, without decoding.
   /// Errors: FileError as for load(); UsageError if most of its normals point inward.
   [[nodiscard]] BilinearTexture load_normals(VAxis v_axis) const;
   /// Errors: UsageError for options that do not go together.
-  void check(const Session& session) const;
+  void check(const Chosen& chosen) const;
   /// True if the globe has its texture; waves and foreign normals are seen best in white.
-  [[nodiscard]] bool paints(const Session& session) const;
+  [[nodiscard]] bool paints(const Chosen& chosen) const;
   /// Gives bumps the chosen relief, form, slopes and step.
   template <class Height>
   void apply_to(Bumps<Height>& bumps) const {

@@ -28,22 +28,6 @@ class UsageError : public std::runtime_error {
 [[nodiscard]] double parse_decimal(std::string_view option, std::string_view text, double low,
                                    double high);
 
-class Session;
-struct Turntable;
-
-/// What a lesson's groups of options ask of the session. A group's declare() sets it, so that no
-/// other code needs to know which groups a lesson has; the session reads it when it is made.
-struct GroupWishes {
-  std::string_view budget{};        ///< the help of --budget, of one group; empty: not offered
-  std::string_view no_intervals{};  ///< why --number interval is refused; empty: offered
-  int samples = 1;                  ///< rays per pixel
-  int samples_limit = 65536;        ///< the most that --samples takes
-  Turntable* turntable = nullptr;   ///< the pictures of a turn; null: one picture
-  std::vector<std::function<void(const Session&)>> plans{};  ///< once, after `prepare`
-  std::vector<std::function<void()>> uses{};  ///< each throws if `prepare` did not use its group
-  std::vector<std::function<void()>> before_frames{};  ///< before the first of several pictures
-};
-
 /// The options of a program, and the reader of what the user typed.
 /// Errors: logic_error from whoever declares an option's name again, but for `choice`.
 class CommandLine {
@@ -59,8 +43,6 @@ class CommandLine {
     Read read;
     std::string unless{};  ///< of a word without an option: the option with which it may be missing
   };
-
-  GroupWishes wishes;  ///< of a chapter's groups; other programs have none
 
   /// @param program  its name, as typed
   /// @param purpose  one line for the top of the help
@@ -115,6 +97,12 @@ class CommandLine {
     choice(name, value, pairs, help);
   }
 
+  /// An option whose value is anything else.
+  ///
+  /// @param preset  the default, as text; may be empty
+  void add(std::string_view name, std::string_view placeholder, std::string_view help,
+           const std::string& preset, const Read& read);
+
   /// A word without an option, such as a file to read; required, in the order of these calls.
   ///
   /// @param name  its name in the usage line
@@ -144,8 +132,6 @@ class CommandLine {
   [[nodiscard]] std::string help() const;
 
  private:
-  void add(std::string_view name, std::string_view placeholder, std::string_view help,
-           const std::string& preset, const Read& read);
   [[nodiscard]] std::string call() const;
 
   std::string program_;

@@ -4,10 +4,12 @@
 
 #include "engine/app/lesson.hpp"
 #include "engine/app/texture_file.hpp"
-#include "texture/encoded.hpp"
+#include "engine/render/kinds.hpp"
 #include "texture/filters.hpp"
 
 namespace texmap {
+
+struct Offer;
 
 enum class FilterScene {
   both,   ///< the plane to the horizon, a globe close by and one far away
@@ -23,24 +25,18 @@ struct FilterOptions {
   std::string floor_file = "checkers";
   std::string plot;  ///< the file for the plot of errors; empty: none
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// The floor's picture as a texture.
   [[nodiscard]] FilteredTexture load_floor() const;
-  [[nodiscard]] FilteredTexture load_globe(const TextureFile& file) const;
+  [[nodiscard]] FilteredTexture load_globe(TextureFile& file) const;
 };
 
 /// The base of a lesson that filters: its picture shows the mean light of its pixels.
-struct FilteredLesson : LessonHooks {
+struct FilteredLesson : LessonHooks, ShowsMeanLight {
   FilterOptions filtering;
 
-  /// True if rays bring their derivatives by the pixel's column and row.
-  [[nodiscard]] bool needs_footprints() const {
+  [[nodiscard]] bool needs_footprints() const override {
     return filtering.filter != Filter::nearest && filtering.filter != Filter::bilinear;
-  }
-  /// Mean light as a color; bytes are cut off, so half of one is added.
-  template <class Real>
-  [[nodiscard]] Color<Real> shown(const Color<Real>& light) const {
-    return encoded(light) + gray(Real(0.5 / 255));
   }
 };
 

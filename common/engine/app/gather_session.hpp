@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/app/budget_options.hpp"
+#include "engine/app/command_line.hpp"
 #include "engine/app/sampling_options.hpp"
 #include "engine/app/session.hpp"
 #include "engine/render/develop.hpp"
@@ -47,9 +47,9 @@ template <class Lesson>
 ///
 /// @param reads  how many texels the picture reads
 template <class Paint>
-[[nodiscard]] KernelPlan plan_for(const Paint& paint, const std::string& budget, double reads) {
+[[nodiscard]] KernelPlan plan_for(const Paint& paint, const Budget& budget, double reads) {
   if constexpr (requires { paint.texture.image; }) {
-    return plan_surface(read_budget(budget), paint.texture.image, reads);
+    return plan_surface(budget, paint.texture.image, reads);
   } else {
     return {};
   }
@@ -61,13 +61,13 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   const Settings& settings = session.settings;
   const SamplingOptions& options = lesson.sampling;
   const bool limited = options.time_limit > 0 || options.target_error > 0;
-  const int most = limited && !session.was_given("--samples") ? 1 << 20 : settings.samples;
+  const int most = limited && !session.chosen.was_given("--samples") ? 1 << 20 : settings.samples;
   const double reads = double{1} * settings.width * settings.height * most;
-  if (settings.budget != "exact" && lesson.objects.size() > 1)
+  if (!settings.budget.is_exact() && lesson.objects.size() > 1)
     throw UsageError("--budget is for a lone object, which lights no other: add --scene book");
   const KernelPlan plan = plan_for(lesson.objects.front().paint, settings.budget, reads);
-  if (!settings.quiet && session.was_given("--budget")) print(plan.text);
-  const bool float_packs = plan.floats_are_enough && !session.was_given("--number");
+  if (session.chosen.was_given("--budget")) session.chosen.say(plan.text);
+  const bool float_packs = plan.floats_are_enough && !session.chosen.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
   const auto& objects = objects_to_draw(plan, lesson);
   const View<> view = session.view(lesson.stage.camera, settings.width, settings.height);
@@ -86,8 +86,10 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
     }
     const Film film =
         gather_within_limits(options, most, error_so_far, [&](int samples, std::uint32_t pattern) {
-          return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)},
-                        plan.smoothing, number, render_settings);
+          const auto bounds =
+              bounds_of_view(objects, lesson.stage.sky, options.lens, plan.smoothing, samples);
+          return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)}, bounds,
+                        number, render_settings);
         });
     session.count_rays(static_cast<double>(settings.width) * settings.height *
                        static_cast<double>(film.samples()));

@@ -5,14 +5,16 @@
 
 namespace texmap {
 
+struct Offer;
+
 /// How the user lays an image on the globe.
 struct LayoutOptions {
   Convention convention = Convention::rtiow;
   TexelRounding rounding = TexelRounding::floor;
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// The image as a texture in this layout.
-  [[nodiscard]] ImageTexture load(const TextureFile& file) const;
+  [[nodiscard]] ImageTexture load(TextureFile& file) const;
 };
 
 }  // namespace texmap

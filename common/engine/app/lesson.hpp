@@ -1,12 +1,17 @@
 // What a lesson says about itself, and its hooks.
 #pragma once
-#include <array>
+#include <functional>
 #include <initializer_list>
 
 namespace texmap {
 
-class CommandLine;
+class Chosen;
 class Session;
+struct Offer;
+template <class Real>
+struct Ray;
+template <class Real>
+struct Surface;
 
 /// The numbers that a lesson's code compiles for.
 enum class Numbers {
@@ -34,26 +39,30 @@ struct Size {
 
 /// What a lesson says about itself; a misspelt name does not compile.
 struct About {
-  const char* idea;                      ///< in one line, for --help
-  ObjectSet changed_objects = {};        ///< those that look different from the chapter before
-  Size size = {800, 600};                ///< of its picture
-  const char* size_note = "";            ///< for --help: when the size is another one
-  Numbers numbers = Numbers::all;        ///< that its code can be run with
-  std::array<const char*, 4> without{};  ///< options of all chapters that it does not offer
+  const char* idea;                ///< in one line, for --help
+  ObjectSet changed_objects = {};  ///< those that look different from the chapter before
+  Size size = {800, 600};          ///< of its picture
+  const char* size_note = "";      ///< for --help: when the size is another one
+  Numbers numbers = Numbers::all;  ///< that its code can be run with
 };
 
-/// Offers the options of some groups, in this order.
-template <class... Group>
-void offer(CommandLine& line, Group&... groups) {
-  (groups.declare(line), ...);
-}
+/// The groups of options that a lesson offers, in this order.
+struct Groups {
+  std::function<void(Offer&)> declare = [](Offer&) {};
+
+  Groups() = default;
+  template <class... Group>
+  Groups(Group&... groups) : declare([&](Offer& offer) { (groups.declare(offer), ...); }) {}
+};
 
 /// The base of a lesson. Write `override` behind each hook: a misspelt one does not compile.
 struct LessonHooks {
   virtual ~LessonHooks() = default;
-  virtual void options(CommandLine& /*line*/) {}  ///< declares options
-  virtual void prepare(Session& /*session*/) {}   ///< after the options, such as loading a texture
+  virtual Groups options() { return {}; }         ///< what its user may choose
+  virtual void build(Chosen& /*chosen*/) {}       ///< makes it so, such as by loading a texture
   virtual void draw_all(Session& /*session*/) {}  ///< draws and saves, in place of run_chapter
+  /// What a ray meets first, for --show; without it, the object of `objects`.
+  [[nodiscard]] virtual Surface<double> first_surface(const Ray<double>& ray) const;
 };
 
 }  // namespace texmap

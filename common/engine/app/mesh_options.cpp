@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/app/chosen.hpp"
 #include "engine/app/command_line.hpp"
-#include "engine/app/session.hpp"
 #include "engine/mesh/box_tree.hpp"
 #include "engine/mesh/read_obj.hpp"
 #include "engine/system/system.hpp"
@@ -32,7 +32,8 @@ void fit_to_crate(Mesh& mesh) {
 
 }  // namespace
 
-void MeshOptions::declare(CommandLine& line) {
+void MeshOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   line.decimal("--degrees", degrees, -1e300, 1e300,
                "rotates the mesh about its axis by this angle");
   line.choice(
@@ -41,16 +42,15 @@ void MeshOptions::declare(CommandLine& line) {
       "from the lengths of the sides");
   line.text("--mesh", "FILE", file,
             "draw this mesh, an OBJ file with texture coordinates, instead of the crate");
-  uv.declare(line);
-  line.wishes.plans.emplace_back([this](const Session& session) {
-    if (skipped.empty() || session.settings.quiet) return;
-    print(file + ": skipped the lines that are no textured triangles: " + skipped + "\n");
-  });
+  uv.declare(offer);
 }
 
-TexturedMesh MeshOptions::load() const {
+TexturedMesh MeshOptions::load(const Chosen& chosen) const {
   const RotationY rotation = rotation_y(degrees);
+  std::string skipped;
   TexturedMesh scene = file.empty() ? crate() : load_obj(path_of(file), &skipped);
+  if (!skipped.empty())
+    chosen.say(file + ": skipped the lines that are no textured triangles: " + skipped + "\n");
   if (!file.empty()) fit_to_crate(scene.mesh);
   for (Point& p : scene.mesh.points) p = rotation(p);
   constexpr double reach = 9;

@@ -2,13 +2,16 @@
 #pragma once
 #include <string>
 
+#include "engine/app/lesson.hpp"
 #include "engine/app/uv_options.hpp"
+#include "engine/render/kinds.hpp"
 #include "published/mesh_weights.hpp"
 #include "texture/mesh_mapping.hpp"
 
 namespace texmap {
 
-class CommandLine;
+class Chosen;
+struct Offer;
 
 /// Where the weights of a triangle's corners come from.
 enum class WeightsFormula {
@@ -22,12 +25,11 @@ struct MeshOptions {
   WeightsFormula weights = WeightsFormula::signed_areas;
   std::string file;  ///< in OBJ format; empty for the crate
   UvOptions uv{.look_up = {{Wrap::mirror}}};
-  mutable std::string skipped{};  ///< what load() left out of the file
 
-  void declare(CommandLine& line);
-  /// The crate or the file's mesh, as large and turned, on a floor.
+  void declare(Offer& offer);
+  /// The crate or the file's mesh, as large and turned, on a floor; says what it left out.
   /// Errors: FileError with the file and the line.
-  [[nodiscard]] TexturedMesh load() const;
+  [[nodiscard]] TexturedMesh load(const Chosen& chosen) const;
 
   /// The hit with the weights of the chosen formula.
   template <class Real>
@@ -35,5 +37,8 @@ struct MeshOptions {
     return weights == WeightsFormula::heron ? published::weighted_by_heron(mesh, hit) : hit;
   }
 };
+
+/// The base of a lesson with a mesh.
+struct MeshLesson : LessonHooks, HasMesh {};
 
 }  // namespace texmap

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "engine/app/budget_options.hpp"
 #include "engine/app/bump_options.hpp"
+#include "engine/app/chosen.hpp"
 #include "engine/app/command_line.hpp"
 #include "engine/app/filter_options.hpp"
+#include "engine/app/globe_options.hpp"
 #include "engine/app/layout_options.hpp"
 #include "engine/app/phong_options.hpp"
 #include "engine/app/projection_options.hpp"
 #include "engine/app/sampling_options.hpp"
-#include "engine/app/session.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/app/turntable.hpp"
 #include "engine/app/uv_options.hpp"
@@ -19,30 +19,18 @@
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/render/convert_projection.hpp"
-#include "engine/system/system.hpp"
 
 namespace texmap {
 
-void TextureFile::declare(CommandLine& line) {
-  line.text(option, "FILE", name, help);
-  line.wishes.before_frames.emplace_back([this] {
-    if (loaded) kept = load();
-  });
-  line.wishes.uses.emplace_back([this] {
-    if (loaded) return;
-    throw std::logic_error(std::string("the lesson offers ") + option +
-                           " and never loads it: is its hook spelt `prepare`? Write `override` "
-                           "after it, and the compiler checks the name");
-  });
+void TextureFile::declare(Offer& offer) { offer.line.text(option, "FILE", name, help); }
+
+const Image& TextureFile::load() {
+  if (kept.pixels.empty()) kept = load_image(find_texture(name));
+  return kept;
 }
 
-Image TextureFile::load() const {
-  loaded = true;
-  if (!kept.pixels.empty()) return kept;
-  return load_image(find_texture(name));
-}
-
-void LayoutOptions::declare(CommandLine& line) {
+void LayoutOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   line.choice<Convention>("--convention", convention,
                           {{"daily", Convention::daily},
                            {"rtiow", Convention::rtiow},
@@ -53,11 +41,12 @@ void LayoutOptions::declare(CommandLine& line) {
       "which texel has the coordinate u: number floor(u n), or the lecture's (n-1) u, cut off");
 }
 
-ImageTexture LayoutOptions::load(const TextureFile& file) const {
+ImageTexture LayoutOptions::load(TextureFile& file) const {
   return {file.load(), v_axis_of(convention), rounding};
 }
 
-void UvOptions::declare(CommandLine& line) {
+void UvOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   constexpr double most = 1000;
   line.pair("--uv-scale", "UxV", scale, -most, most,
             "multiplies u and v: with 2x1 the picture is there twice, half as wide; -1x1 mirrors");
@@ -95,19 +84,21 @@ published::LookUpTexture UvOptions::read(const ImageTexture& image) const {
   return {{chosen.wrap, image}, chosen.formula};
 }
 
-void Turntable::declare(CommandLine& line) {
+void Turntable::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   line.decimal("--degrees", degrees, -1e300, 1e300,
                "rotates the globe about its axis by this angle");
   line.whole("--turntable", frames, 0, 9999,
              "draw N pictures of a full turn instead of one, named _000, _001, ...");
-  line.wishes.turntable = this;
+  offer.turntable = this;
 }
 
 RotationY Turntable::rotation() const {
   return rotation_y(frame == 0 ? degrees : degrees + 360.0 * frame / frames);
 }
 
-void ProjectionOptions::declare(CommandLine& line) {
+void ProjectionOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   std::vector<std::pair<std::string_view, Projection>> words;
   std::vector<std::pair<std::string_view, std::optional<Projection>>> or_none;  // no default
   for (const ProjectionFacts& facts : projections) {
@@ -122,13 +113,14 @@ void ProjectionOptions::declare(CommandLine& line) {
               "sphere unless you give --width or --height");
 }
 
-ImageTexture ProjectionOptions::load(const TextureFile& file) const {
-  const Image image = file.load();
+ImageTexture ProjectionOptions::load(TextureFile& file) const {
+  const Image& image = file.load();
   if (from == on_globe()) return {image};
   return {convert_projection(image, from, on_globe(), converted_size(image, from, on_globe()))};
 }
 
-void BumpOptions::declare(CommandLine& line) {
+void BumpOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   line.choice(
       "--show", picture, "globe|sheet|poles|daily",
       "globe: the globe. sheet: eight ways to read one normal map. poles: heights at a pole. "
@@ -160,23 +152,23 @@ void BumpOptions::declare(CommandLine& line) {
                      "upper edge (usual for OpenGL), or its lower edge (DirectX)");
 }
 
-void BumpOptions::check(const Session& session) const {
+void BumpOptions::check(const Chosen& chosen) const {
   if (normals.empty()) {
-    if (session.was_given("--green"))
+    if (chosen.was_given("--green"))
       throw UsageError("--green says how to read a normal map: give --normals FILE, too");
     return;
   }
   for (const char* option :
        {"--bump", "--slopes", "--step", "--relief", "--relief-from", "--relief-image"}) {
-    if (session.was_given(option))
+    if (chosen.was_given(option))
       throw UsageError(std::string("--normals has no heights: leave out ") + option);
   }
   if (picture != BumpPicture::globe)
     throw UsageError("--normals is for the globe: leave out --show");
 }
 
-bool BumpOptions::paints(const Session& session) const {
-  return normals.empty() ? height == HeightKind::image : session.was_given("--texture");
+bool BumpOptions::paints(const Chosen& chosen) const {
+  return normals.empty() ? height == HeightKind::image : chosen.was_given("--texture");
 }
 
 BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
@@ -207,7 +199,8 @@ FilteredTexture texture_of(const Image& image, const FilterOptions& options, Wra
 
 }  // namespace
 
-void FilterOptions::declare(CommandLine& line) {
+void FilterOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   // A new filter also has a place on chapter 09's sheet.cpp and in its comparison.cpp.
   line.choice<Filter>("--filter", filter,
                       {{"nearest", Filter::nearest},
@@ -231,9 +224,9 @@ void FilterOptions::declare(CommandLine& line) {
             "the picture on the floor: a PNG or JPEG file, or the word checkers");
   line.text("--plot", "FILE.svg", plot,
             "also plot the filters' errors against the number of texels they read");
-  line.wishes.budget =
+  offer.budget =
       "the allowed error of textured pixels: exact or levels=4; prints which filter it chooses";
-  line.wishes.no_intervals =
+  offer.no_intervals =
       "where rounding leaves open which level a filter reads, the bound would be too wide to be "
       "of use";
 }
@@ -250,11 +243,12 @@ FilteredTexture FilterOptions::load_floor() const {
   return texture_of(made ? checkers_image(1024, 32) : TextureFile{floor_file}.load(), *this, wrap);
 }
 
-FilteredTexture FilterOptions::load_globe(const TextureFile& file) const {
+FilteredTexture FilterOptions::load_globe(TextureFile& file) const {
   return texture_of(file.load(), *this, Wrap::spherical);
 }
 
-void PhongOptions::declare(CommandLine& line) {
+void PhongOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   line.decimal("--blend", blend, 0, 1,
                "mix X parts of texture with 1 - X parts of light; without this option the stage "
                "multiplies them");
@@ -264,20 +258,18 @@ void PhongOptions::declare(CommandLine& line) {
               "which scene to draw; the lecture's picture is 800x400");
   line.choice("--highlight", formula, "phong|lecture",
               "Phong's highlight, or the lecture's, which has a wrong sign");
-  line.wishes.budget =
+  offer.budget =
       "the allowed error of Phong's highlight: exact or levels=1; prints which fast formula it "
       "chooses";
-  line.wishes.plans.emplace_back([this](const Session& session) {
-    const KernelPlan plan = plan_highlight(read_budget(session.settings.budget));
-    if (!session.settings.quiet && session.was_given("--budget")) print(plan.text);
-    power_terms = plan.power_terms;
-  });
 }
 
-PhongScene PhongOptions::resolve(const Session& session) {
+PhongScene PhongOptions::resolve(const Chosen& chosen) {
   const bool lecture = scene == PhongScene::lecture;
-  blends = lecture || session.was_given("--blend");
-  if (lecture && !session.was_given("--shininess")) shininess = 500;
+  blends = lecture || chosen.was_given("--blend");
+  if (lecture && !chosen.was_given("--shininess")) shininess = 500;
+  const KernelPlan plan = plan_highlight(chosen.settings.budget);
+  if (chosen.was_given("--budget")) chosen.say(plan.text);
+  power_terms = plan.power_terms;
   return scene;
 }
 
@@ -286,10 +278,11 @@ void PhongOptions::apply_to(PhongMaterial& globe) const {
   globe.shininess = shininess;
 }
 
-void SamplingOptions::declare_gathering(CommandLine& line) {
-  line.wishes.samples = samples;
-  line.wishes.samples_limit = most_samples;
-  line.wishes.no_intervals = "it bounds the error of one ray, not the noise of random samples";
+void SamplingOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
+  offer.samples = samples;
+  offer.most_samples = most_samples;
+  offer.no_intervals = "it bounds the error of one ray, not the noise of random samples";
   line.choice<SamplerKind>("--sampler", sampler,
                            {{"random", SamplerKind::random},
                             {"stratified", SamplerKind::stratified},
@@ -315,9 +308,9 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
                "blur by motion: the scene moves up by so much during the exposure");
 }
 
-void SamplingOptions::declare(CommandLine& line) {
-  declare_gathering(line);
-  line.wishes.budget =
+void GlobeOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
+  offer.budget =
       "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of the "
       "picture); prints which fast formulas it chooses";
   line.choice<TexelLight>(
@@ -331,7 +324,7 @@ void SamplingOptions::declare(CommandLine& line) {
               "the sky: uniform, or white below and blue above");
 }
 
-void SamplingOptions::apply_to(LightTexture& texture, GradientSky& sky) const {
+void GlobeOptions::apply_to(LightTexture& texture, GradientSky& sky) const {
   texture.light = decoding;
   sky = gradient ? GradientSky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}}
                  : GradientSky{.below = {0.7, 0.8, 1.0}, .above = {0.7, 0.8, 1.0}};

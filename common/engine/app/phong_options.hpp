@@ -7,8 +7,8 @@
 
 namespace texmap {
 
-class CommandLine;
-class Session;
+struct Offer;
+class Chosen;
 
 enum class PhongScene {
   stage,    ///< the daily exercise's four spheres
@@ -24,10 +24,10 @@ struct PhongOptions {
   HighlightFormula formula = HighlightFormula::phong;
   int power_terms = 0;  ///< of a polynomial for Phong's power; 0 for its formula
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// After parsing: sets what depends on other options, and returns the scene to draw.
   /// The lecture's scene always blends and has its own exponent.
-  PhongScene resolve(const Session& session);
+  PhongScene resolve(const Chosen& chosen);
   /// Gives the globe its highlight.
   void apply_to(PhongMaterial& globe) const;
 

@@ -10,17 +10,14 @@ namespace texmap {
 
 /// Makes a lesson ready as its program does when the user types these words.
 ///
-/// @return  what the session's settings then are
+/// @return  the settings that the user chose
 template <class Lesson>
 Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) {
   CommandLine line("test", "");
-  lesson.options(line);
-  Session session("test", line, Lesson::about, offers_for(lesson));
+  Chosen chosen("test", offer_of(lesson, line), Lesson::about);
   if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
-  prepare(session, lesson);
-  session.plan();
-  static_cast<void>(read_budget(session.settings.budget));  // a program refuses it when it draws
-  return session.settings;
+  build(lesson, chosen);
+  return chosen.settings;
 }
 
 /// A lesson as its program has it after these words.

@@ -1,5 +1,6 @@
 // Runs a chapter: reads its command line, draws its lesson, saves the picture.
 #pragma once
+#include <concepts>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -7,13 +8,13 @@
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/gather_session.hpp"
+#include "engine/app/lesson_surfaces.hpp"
 #include "engine/app/planned_highlight.hpp"
 #include "engine/app/session.hpp"
 #include "engine/app/turntable.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/draw.hpp"
 #include "engine/render/number_names.hpp"
-#include "engine/render/surfaces.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap {
@@ -39,7 +40,7 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
   return timed(static_cast<double>(width) * height * settings.samples,
                [&](const RenderSettings& render_settings) -> Image {
                  const View<> seen = view(lesson.stage.camera, width, height);
-                 if constexpr (GathersLight<Lesson>) {
+                 if constexpr (std::derived_from<Lesson, GathersLight>) {
                    throw std::logic_error("light is gathered, see show_gathered");
                  } else {
                    return texmap::draw(lesson, seen, settings.number, render_settings);
@@ -50,7 +51,7 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
 /// Draws and saves one picture of a lesson.
 template <class Lesson>
 void show_picture(Session& session, const Lesson& lesson, const std::string& suffix = "") {
-  if constexpr (GathersLight<Lesson>) {
+  if constexpr (std::derived_from<Lesson, GathersLight>) {
     if (session.settings.show == Shown::color) return show_gathered(session, lesson, suffix);
   }
   session.save(session.draw(lesson), suffix);
@@ -62,70 +63,75 @@ concept HasSpheres = requires(const Lesson& lesson) {
   lesson.objects.front().shape.form;
 };
 
+/// What a program of a lesson offers its user: first the options of the lesson's groups.
+template <class Lesson>
+[[nodiscard]] Offer offer_of(Lesson& lesson, CommandLine& line) {
+  Offer offer{.line = line,
+              .camera = !std::derived_from<Lesson, SheetLesson>,
+              .spheres = HasSpheres<Lesson>,
+              .surfaces = HasSurfaces<Lesson>,
+              .one_number = !all_numbers};
+  lesson.options().declare(offer);
+  return offer;
+}
+
 /// Gives a lesson's spheres the formula that the user chose, or that they need.
 template <class Lesson>
-void choose_spheres(const Session& session, Lesson& lesson) {
+void choose_spheres(const Chosen& chosen, Lesson& lesson) {
   if constexpr (HasSpheres<Lesson>) {
-    if (session.was_given("--spheres"))
-      for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
-    const bool in_float = is_float(session.settings.number);
+    if (chosen.was_given("--spheres"))
+      for (auto& object : lesson.objects) object.shape.form = chosen.settings.spheres;
+    const bool in_float = is_float(chosen.settings.number);
     keep_to_domains(
         lesson.objects, lesson.stage.camera.eye,
         in_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits);
   }
 }
 
-/// Calls a lesson's hook, and chooses the formulas of the spheres that it made.
+/// Makes a lesson what the user chose.
 template <class Lesson>
-void prepare(Session& session, Lesson& lesson) {
-  lesson.prepare(session);
-  choose_spheres(session, lesson);
+void build(Lesson& lesson, Chosen& chosen) {
+  lesson.build(chosen);
+  choose_spheres(chosen, lesson);
 }
 
 template <class Lesson>
 void Session::draw_all(Lesson& lesson) {
-  Turntable* turn = line_.wishes.turntable;
+  Turntable* turn = chosen.turntable;
   if (turn == nullptr || turn->frames == 0) return show_picture(*this, lesson);
   for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
-  for (const auto& keep : line_.wishes.before_frames) keep();
   for (turn->frame = 0; turn->frame < turn->frames; ++turn->frame) {
-    prepare(*this, lesson);
+    build(lesson, chosen);
     show_picture(*this, lesson, frame_suffix(turn->frame));
   }
 }
 
-/// What a session offers for a lesson.
+/// Which hooks a lesson overrides: `&Lesson::hook` is else a member of the base.
 template <class Lesson>
-[[nodiscard]] constexpr Offers offers_for(const Lesson& /*lesson*/) {
-  return {
-      .spheres = HasSpheres<Lesson>, .surfaces = HasSurfaces<Lesson>, .one_number = !all_numbers};
-}
-
-/// True for a lesson that overrides `draw_all`: `&Lesson::draw_all` is else a member of the base.
+inline constexpr bool has_options =
+    !std::is_same_v<decltype(&Lesson::options), Groups (LessonHooks::*)()>;
+template <class Lesson>
+inline constexpr bool has_build =
+    !std::is_same_v<decltype(&Lesson::build), void (LessonHooks::*)(Chosen&)>;
 template <class Lesson>
 inline constexpr bool draws_itself =
     !std::is_same_v<decltype(&Lesson::draw_all), void (LessonHooks::*)(Session&)>;
 
-/// Draws and saves what a lesson shows with the options that were read.
+/// Draws and saves what a lesson shows.
 template <class Lesson>
-void draw_and_save(Session& session, Lesson& lesson) {
-  prepare(session, lesson);
-  session.check();
-  session.plan();
+void draw_and_save(Lesson& lesson, Session& session) {
   if constexpr (draws_itself<Lesson>) {
     lesson.draw_all(session);
   } else {
-    session.check_uses();
     session.draw_all(lesson);
   }
 }
 
-/// A chapter's main program.
+/// A chapter's main program: reads what the user chose, builds the lesson, draws and saves.
 ///
 /// @param chapter  its folder's name, such as 02_checkerboard_uv
 /// @tparam Lesson  derived from LessonHooks, with a static `about`, a `stage` with a camera, and an
-///                 operator()(Ray) that returns a Color; to gather light, `sampling` and an
-///                 operator() for one sample (see gather.hpp)
+///                 operator()(Ray) that returns a Color; a PathLesson has one for a sample's path
 template <class Lesson>
 [[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
   static_assert(std::is_base_of_v<LessonHooks, Lesson>,
@@ -133,17 +139,22 @@ template <class Lesson>
   static_assert(
       requires { Lesson::about.idea; },
       "a lesson says what it is about: static constexpr About about{.idea = ...}");
-  static_assert(!GathersLight<Lesson> || HasSpheres<Lesson>,
-                "light is gathered from spheres alone: a lesson with `sampling` has a list of "
-                "Painted<Paint> in `objects`. Other shapes are for lessons like those of 01 to 06");
+  static_assert(!has_options<Lesson> || has_build<Lesson> || draws_itself<Lesson>,
+                "a lesson with `options` uses them in `void build(Chosen& chosen) override`: is "
+                "that what it says?");
+  static_assert(!std::derived_from<Lesson, GathersLight> || HasSpheres<Lesson>,
+                "light is gathered from spheres alone: a PathLesson has a list of Painted<Paint> "
+                "in `objects`. Other shapes are for lessons like those of 01 to 06");
   expect_little_memory();
   CommandLine line(chapter, Lesson::about.idea);
   return run_guarded(line, [&] {
     Lesson lesson;
-    lesson.options(line);
-    Session session(chapter, line, Lesson::about, offers_for(lesson));
+    Chosen chosen(chapter, offer_of(lesson, line), Lesson::about);
     if (!line.parse(argc, argv)) return;
-    draw_and_save(session, lesson);
+    chosen.check();
+    build(lesson, chosen);
+    Session session(chosen);
+    draw_and_save(lesson, session);
   });
 }
 

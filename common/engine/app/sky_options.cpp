@@ -6,19 +6,19 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/app/chosen.hpp"
 #include "engine/app/command_line.hpp"
-#include "engine/app/session.hpp"
 #include "engine/kernels/prepared_scene.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_light.hpp"
 #include "engine/render/sample_random.hpp"
 #include "engine/system/file_error.hpp"
-#include "engine/system/system.hpp"
 
 namespace texmap {
 
-void SkyOptions::declare(CommandLine& line) {
+void SkyOptions::declare(Offer& offer) {
+  CommandLine& line = offer.line;
   line.text("--sky", "FILE", name,
             "the picture of the sky, twice as wide as high: Radiance .hdr, PNG or JPEG");
   line.choice<std::optional<SkyLighting>>(
@@ -92,7 +92,7 @@ SkyLighting best_lighting(const SkyNoise& noise, double cost) {
   return square(noise.mis) * cost < square(noise.cosine) ? SkyLighting::mis : SkyLighting::cosine;
 }
 
-SkyLight SkyOptions::load(const Session& session) {
+SkyLight SkyOptions::load(const Chosen& user) {
   LightImage map = load_light(find_texture(name));
   const auto factor = static_cast<float>(pow(2.0, exposure));
   for (Color<float>& texel : map.pixels) texel = texel * factor;
@@ -109,12 +109,10 @@ SkyLight SkyOptions::load(const Session& session) {
   }
   const SkyNoise noise = noise_of(sky);
   matte.way = best_lighting(noise);
-  if (!session.settings.quiet) {
-    print(text(
-        "the error of one sample is %s times the right light by cosine, %s by mis: --light %s\n",
-        shown(noise.cosine, 3).c_str(), shown(noise.mis, 3).c_str(),
-        matte.way == SkyLighting::mis ? "mis" : "cosine"));
-  }
+  user.say(
+      text("the error of one sample is %s times the right light by cosine, %s by mis: --light %s\n",
+           shown(noise.cosine, 3).c_str(), shown(noise.mis, 3).c_str(),
+           matte.way == SkyLighting::mis ? "mis" : "cosine"));
   return sky;
 }
 

@@ -9,8 +9,8 @@
 
 namespace texmap {
 
-class CommandLine;
-class Session;
+struct Offer;
+class Chosen;
 
 /// A stage whose light comes from a picture of the sky alone.
 struct SkyStage {
@@ -27,10 +27,10 @@ struct SkyOptions {
   std::optional<SkyLighting> chosen;  ///< by the user; else the program chooses
   MatteLight matte;                   ///< what is drawn, once the sky is loaded
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// The sky as a light; chooses `matte.way` unless the user did, and says so.
   /// Errors: FileError with the file and where it was looked for.
-  [[nodiscard]] SkyLight load(const Session& session);
+  [[nodiscard]] SkyLight load(const Chosen& user);
 };
 
 /// How far the light of one sample is off, root mean square, relative to the light: over matte

@@ -6,7 +6,7 @@
 
 namespace texmap {
 
-class CommandLine;
+struct Offer;
 
 /// A texture that the user can replace by another image; a second one needs its own `option`.
 struct TextureFile {
@@ -14,12 +14,11 @@ struct TextureFile {
   const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";
   const char* option = "--texture";
 
-  mutable bool loaded = false;  ///< a texture that is offered must be used
-  Image kept{};                 ///< for the pictures of a turn; empty: load the file
+  Image kept{};  ///< once it is loaded: pictures of a turn read no file again
 
-  void declare(CommandLine& line);
-  /// Loads it. Errors: FileError with the file and where it was looked for.
-  [[nodiscard]] Image load() const;
+  void declare(Offer& offer);
+  /// The picture. Errors: FileError with the file and where it was looked for.
+  [[nodiscard]] const Image& load();
 };
 
 }  // namespace texmap

@@ -6,7 +6,7 @@
 
 namespace texmap {
 
-class CommandLine;
+struct Offer;
 
 /// By which angle the look-up on the globe is turned, once or in several pictures of a full turn.
 struct Turntable {
@@ -14,7 +14,7 @@ struct Turntable {
   int frames = 0;  ///< of a full turn; 0 for a single picture
   int frame = 0;   ///< the one that is drawn
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// The rotation of the frame, computed from the first angle, so that errors do not add up.
   [[nodiscard]] RotationY rotation() const;
 };

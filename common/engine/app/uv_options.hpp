@@ -7,7 +7,7 @@
 
 namespace texmap {
 
-class CommandLine;
+struct Offer;
 
 /// How the user scales and moves a picture in (u, v), and what it then shows beyond its edges.
 struct UvOptions {
@@ -16,7 +16,7 @@ struct UvOptions {
   std::array<double, 2> offset{0, 0};
   std::optional<published::LookUp> look_up{};  ///< nothing: repeated, where (u, v) were moved
 
-  void declare(CommandLine& line);
+  void declare(Offer& offer);
   /// The user's transform; nothing if it would change nothing.
   [[nodiscard]] std::optional<UvTransform> transform() const;
   /// A mapping with this transform.

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/budget.hpp"
 #include "engine/kernels/fetched_pyramid.hpp"
 #include "engine/kernels/fetched_texels.hpp"
 #include "engine/kernels/power_kernel.hpp"
 #include "engine/kernels/root_texture.hpp"
 #include "engine/kernels/turns.hpp"
+#include "engine/measure/budget.hpp"
 #include "number/compiler.hpp"
 #include "scene/paint.hpp"
 #include "texture/conventions.hpp"

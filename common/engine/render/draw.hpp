@@ -1,5 +1,6 @@
 // Draws a lesson with the number that the user chose.
 #pragma once
+#include <concepts>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -62,17 +63,11 @@ struct GatherWork {
   }
 };
 
-/// True for lessons that gather light over many samples: they have a member `sampling`.
-template <class Lesson>
-concept GathersLight = requires(const Lesson& lesson) {
-  lesson.sampling;
-};
-
 template <class Lesson>
 struct WorkOfLesson {
   using Type = DrawWork<Lesson>;
 };
-template <GathersLight Lesson>
+template <std::derived_from<GathersLight> Lesson>
 struct WorkOfLesson<Lesson> {
   template <class Paint>
   static GatherWork<Lesson, Paint> work(const std::vector<Painted<Paint>>& objects);
@@ -146,11 +141,12 @@ template <class Lesson>
 /// The light of a lesson, gathered with `number`.
 ///
 /// @param objects  the lesson's or a plan's
+/// @param bounds   as bounds_of_view gives them
 template <class Lesson, class Paint>
 [[nodiscard]] Film gather(const Lesson& lesson, const std::vector<Painted<Paint>>& objects,
-                          const View<>& view, const Sampler& sampler, const Smoothing& smoothing,
-                          NumberKind number, const RenderSettings& settings) {
-  const auto bounds = bounds_of_view(lesson, objects, smoothing, sampler.samples());
+                          const View<>& view, const Sampler& sampler,
+                          const std::optional<ViewBounds>& bounds, NumberKind number,
+                          const RenderSettings& settings) {
   return run_in_number(GatherWork<Lesson, Paint>{lesson, objects, view, sampler, bounds, settings},
                        number, settings.instructions);
 }

@@ -13,6 +13,7 @@
 #include "engine/render/sample_random.hpp"
 #include "engine/render/smoothing/pixel_lists.hpp"
 #include "engine/render/smoothing/pixel_patch.hpp"
+#include "scene/lens.hpp"
 
 namespace texmap {
 
@@ -128,13 +129,12 @@ void gather_pixels(const Sampler& sampler, const std::vector<Pixel>& pixels, con
 }
 
 /// What is known of a picture before a ray is traced: something for one sphere and a pinhole.
-template <class Lesson, class Paint>
-[[nodiscard]] std::optional<ViewBounds> bounds_of_view(const Lesson& lesson,
-                                                       const std::vector<Painted<Paint>>& objects,
+template <class Object, class Sky>
+[[nodiscard]] std::optional<ViewBounds> bounds_of_view(const std::vector<Object>& objects,
+                                                       const Sky& sky, const Lens& lens,
                                                        const Smoothing& smoothing, int samples) {
-  const auto& sky = lesson.stage.sky;
-  if constexpr (std::is_same_v<decltype(sky), const GradientSky&>) {
-    if (objects.size() == 1 && !lesson.sampling.lens.blurs()) {
+  if constexpr (std::is_same_v<Sky, GradientSky>) {
+    if (objects.size() == 1 && !lens.blurs()) {
       return ViewBounds{sky.is_constant() ? std::optional(sky.below) : std::nullopt,
                         samples < least_samples_of_patch ? Smoothing{} : smoothing};
     }

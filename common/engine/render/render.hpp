@@ -7,12 +7,14 @@
 #include <type_traits>
 
 #include "engine/render/inline_whole.hpp"
+#include "engine/render/kinds.hpp"
 #include "engine/render/settings.hpp"
 #include "engine/render/threads.hpp"
 #include "math/color.hpp"
 #include "number/dual.hpp"
 #include "number/uint.hpp"
 #include "scene/camera.hpp"
+#include "texture/encoded.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
@@ -60,7 +62,7 @@ template <class Real, class Lesson>
       "a lesson is called with a Ray<Real>, from many threads, and returns a Color<Real>: is its "
       "operator() const, and is that what it says? Only with `.numbers = Numbers::only_double` in "
       "`about` may it have double in place of Real");
-  if constexpr (requires { lesson.needs_footprints(); }) {
+  if constexpr (std::derived_from<Lesson, ShowsMeanLight>) {
     if (lesson.needs_footprints()) {  // to know how (u, v) changes: for filters and bumps
       const Dual<Real> across{column, spacing, Real(0)};
       const Dual<Real> down{row, Real(0), spacing};
@@ -69,6 +71,12 @@ template <class Real, class Lesson>
     }
   }
   return lesson(ray_through(view, column, row));
+}
+
+/// Light as a color; bytes are cut off, so half of one is added.
+template <class Real>
+[[nodiscard]] Color<Real> shown_light(const Color<Real>& light) {
+  return encoded(light) + gray(Real(0.5 / 255));
 }
 
 /// The color of a pixel, or of a pack of neighboring pixels: the mean of its samples.
@@ -84,8 +92,8 @@ template <class Real, class Lesson>
           ray_color(lesson, view, column + Real(offset.column), row + Real(offset.row), spacing);
   }
   const Color<Real> mean = samples == 1 ? sum : sum * (Real(1) / Real(samples));
-  if constexpr (requires { lesson.shown(mean); }) {  // it computes with linear light
-    return lesson.shown(mean);
+  if constexpr (std::derived_from<Lesson, ShowsMeanLight>) {
+    return shown_light(mean);
   } else {
     return mean;
   }
@@ -97,9 +105,9 @@ template <class Real, class Lesson>
 template <class Real, class Lesson>
 [[nodiscard]] Image render(const Lesson& lesson, const View<>& view,
                            const RenderSettings& settings = {}) {
-  // A pack has pixels of one row. With a mesh it has a block: its rays meet fewer triangles.
+  // A pack has pixels of one row; with a mesh, of a block.
   static constexpr int size = static_cast<int>(lanes<Real>);
-  static constexpr bool has_mesh = requires { lesson.scene.mesh; };
+  static constexpr bool has_mesh = std::derived_from<Lesson, HasMesh>;
   static constexpr int high = !has_mesh || size < 4 ? 1 : size < 16 ? 2 : 4;
   static constexpr int wide = size / high;
   Image image(view.width, view.height);

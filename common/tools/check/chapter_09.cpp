@@ -263,7 +263,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {level_of, wrong_levels, level_of_width_places})},
       {{"Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean of "
         "their light?",
-        [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); },
+        [] { return double(byte_of(shown_light(gray(0.5)).g)); },
         {"", 0},
         "Half of the light is not half of the byte: which curve is between them?",
         {{128, "this is the mean of the bytes: the mean of the light has to be encoded"}}},

@@ -23,7 +23,7 @@ struct ProjectionMapping {
 
 struct ProjectionOptions : texmap::ProjectionOptions {
   /// The file in the globe's layout; smaller, which is enough for the picture of an exercise.
-  [[nodiscard]] ImageTexture load(const TextureFile& file) const {
+  [[nodiscard]] ImageTexture load(TextureFile& file) const {
     const ImageTexture earth{file.load()};
     ImageTexture made{Image(600, static_cast<int>(600 / facts_of(on_globe()).aspect))};
     for (int i = 0; i < 600 * made.image.height; ++i) {
@@ -39,7 +39,7 @@ struct ProjectionOptions : texmap::ProjectionOptions {
 
 struct Lesson;
 /// The program's sheet of all layouts is not drawn here.
-inline void show_projections(const Lesson&, Session&) {}
+inline void show_projections(Lesson&, Session&) {}
 
 }  // namespace texmap::chapter_10
 

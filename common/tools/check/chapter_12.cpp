@@ -87,8 +87,8 @@ struct SkyStage {
 };
 
 struct SkyOptions : texmap::SkyOptions {
-  [[nodiscard]] SkyLight load(const Session& session) {
-    return SkyLight(texmap::SkyOptions::load(session));
+  [[nodiscard]] SkyLight load(const Chosen& user) {
+    return SkyLight(texmap::SkyOptions::load(user));
   }
 };
 

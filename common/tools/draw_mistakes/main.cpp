@@ -45,14 +45,16 @@ template <class Lesson>
 Image drawn(const Request& request, const Words& more, const std::filesystem::path& file) {
   Lesson lesson;
   CommandLine line(request.chapter, "");
-  lesson.options(line);
-  Session session(request.chapter, line, Lesson::about, offers_for(lesson));
+  Chosen chosen(request.chapter, offer_of(lesson, line), Lesson::about);
   Words words = request.options;
   words.insert(words.end(), more.begin(), more.end());
   static_cast<void>(line.parse(words));
-  session.settings.quiet = true;
-  session.settings.out = name_of(file);
-  draw_and_save(session, lesson);
+  chosen.settings.quiet = true;
+  chosen.settings.out = name_of(file);
+  chosen.check();
+  build(lesson, chosen);
+  Session session(chosen);
+  draw_and_save(lesson, session);
   return load_image(file);
 }
 

@@ -1,6 +1,6 @@
 // Chapter 08: the edge functions and the weights of a pixel's triangle.
 #pragma once
-#include "08_triangle_uv/surface.hpp"
+#include "08_triangle_uv/lesson.hpp"
 #include "figure.hpp"
 #include "live.hpp"
 

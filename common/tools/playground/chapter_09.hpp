@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "09_texture_filtering/surface.hpp"
+#include "09_texture_filtering/lesson.hpp"
 #include "figure.hpp"
 #include "live.hpp"
 

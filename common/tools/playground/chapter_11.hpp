@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "11_bump_and_normal_maps/surface.hpp"
+#include "11_bump_and_normal_maps/lesson.hpp"
 #include "figure.hpp"
 #include "live.hpp"
 

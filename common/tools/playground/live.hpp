@@ -2,6 +2,7 @@
 // command line go in, rows of pixels come out.
 #pragma once
 #include <algorithm>
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -89,7 +90,7 @@ struct Knobs {
 
 /// The light of a lesson that gathers it; nothing of another.
 template <class Lesson>
-using GatheredOf = typename std::conditional_t<GathersLight<Lesson>,
+using GatheredOf = typename std::conditional_t<std::derived_from<Lesson, GathersLight>,
                                                std::type_identity<std::optional<Gathered<Lesson>>>,
                                                std::type_identity<std::nullptr_t>>::type;
 
@@ -125,7 +126,7 @@ class Live final : public LiveLesson {
   [[nodiscard]] Size size() const override { return {state_->whole.width, state_->whole.height}; }
 
   [[nodiscard]] int passes() const override {
-    if constexpr (GathersLight<Lesson>) {
+    if constexpr (std::derived_from<Lesson, GathersLight>) {
       if (state_->gathered) return state_->gathered->passes();
     }
     return 1;
@@ -141,7 +142,7 @@ class Live final : public LiveLesson {
     strip.height = count;
     strip.center_row -= first;  // a half or a whole number: exact
     Lesson& lesson = state_->lesson;
-    const Settings& settings = state_->session.settings;
+    const Settings& settings = state_->chosen.settings;
     const RenderSettings how{.samples = settings.samples, .threads = 1};
     if constexpr (has_beside) {
       if (pass == passes()) return state_->knobs.draw_beside(lesson, strip, first, how);
@@ -155,7 +156,7 @@ class Live final : public LiveLesson {
                               {.samples = 1, .threads = 1});
       }
     }
-    if constexpr (GathersLight<Lesson>) {
+    if constexpr (std::derived_from<Lesson, GathersLight>) {
       return state_->gathered->rows(first, count, pass);
     } else {
       if (settings.number == NumberKind::float_) return render<float>(lesson, strip, how);
@@ -173,7 +174,7 @@ class Live final : public LiveLesson {
       if constexpr (std::is_same_v<Choices, Knobs<Lesson>>)
         add_map(lesson, view, column, row, members);
       if constexpr (may_err) {
-        if (state_->knobs.errors || state_->session.settings.number == NumberKind::float_) {
+        if (state_->knobs.errors || state_->chosen.settings.number == NumberKind::float_) {
           const TexelError error = texel_error(lesson, view, column, row);
           Members found{{"object", error.object}};
           if (error.has_uv) {
@@ -215,41 +216,36 @@ class Live final : public LiveLesson {
   struct State {
     OnePicture lesson;
     CommandLine line{"live", Lesson::about.idea};
-    Session session = make_session();
+    Chosen chosen{"live", offer_of(static_cast<Lesson&>(lesson), line), Lesson::about};
+    Session session{chosen};
     Choices knobs;
     View<> whole;
     std::optional<std::vector<std::string>> words{};  ///< that it is ready for
     GatheredOf<Lesson> gathered{};
-
-    Session make_session() {
-      lesson.options(line);
-      return {"live", line, Lesson::about, offers_for(lesson)};
-    }
 
     State() {
       if constexpr (requires { knobs.declare(line); }) knobs.declare(line);
     }
 
     void get_ready(State& before) {
-      session.settings.quiet = true;
-      session.settings.threads = 1;
+      chosen.settings.quiet = true;
+      chosen.settings.threads = 1;
       bool is_ready = false;
       if constexpr (requires { knobs.take_over(lesson, before.lesson); })
         is_ready = before.words && knobs.take_over(lesson, before.lesson);
-      if (!is_ready) lesson.prepare(session);
+      if (!is_ready) lesson.build(chosen);
       if constexpr (requires { knobs.apply(lesson); }) knobs.apply(lesson);
-      choose_spheres(session, lesson);
-      session.plan();
-      if constexpr (requires { knobs.eye; }) session.settings.zoom *= knobs.eye;
+      choose_spheres(chosen, lesson);
+      if constexpr (requires { knobs.eye; }) chosen.settings.zoom *= knobs.eye;
     }
     void fit(int widest) {
-      const Settings& settings = session.settings;
+      const Settings& settings = chosen.settings;
       Size size{settings.width, settings.height};
       if (size.width > widest) {
         size = {widest, std::max(1, (size.height * widest + size.width / 2) / size.width)};
       }
       whole = session.view(lesson.stage.camera, size.width, size.height);
-      if constexpr (GathersLight<Lesson>) {
+      if constexpr (std::derived_from<Lesson, GathersLight>) {
         if (settings.show == Shown::color) gathered.emplace(lesson, whole, settings);
       }
     }

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "engine/app/lesson.hpp"
+#include "engine/app/lesson_surfaces.hpp"
 #include "engine/render/render.hpp"
-#include "engine/render/surfaces.hpp"
 #include "math/color.hpp"
 #include "scene/camera.hpp"
 #include "texture/image.hpp"

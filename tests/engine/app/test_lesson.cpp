@@ -1,6 +1,7 @@
-// Tests of engine/app/lesson.hpp and session.hpp: what a lesson states and its user is offered.
+// Tests of engine/app/lesson.hpp and chosen.hpp: what a lesson states and its user is offered.
 #include <doctest.h>
 
+#include <functional>
 #include <string>
 
 #include "engine/app/run_chapter.hpp"
@@ -8,16 +9,18 @@
 namespace texmap::test {
 namespace {
 
-/// The session of a lesson, as its program has it before anything is typed.
+/// What a lesson's user is offered, before anything is typed.
 struct Started {
   CommandLine line{"lesson", ""};
-  Session session;
+  Chosen chosen;
 
-  explicit Started(const About& about, const Offers& offers = {}, const GroupWishes& wishes = {})
-      : session("99_lesson", wished(line, wishes), about, offers) {}
-  static CommandLine& wished(CommandLine& line, const GroupWishes& wishes) {
-    line.wishes = wishes;
-    return line;
+  explicit Started(
+      const About& about, const std::function<void(Offer&)>& more = [](Offer&) {})
+      : chosen("99_lesson", offered(line, more), about) {}
+  static Offer offered(CommandLine& line, const std::function<void(Offer&)>& more) {
+    Offer offer{.line = line};
+    more(offer);
+    return offer;
   }
   [[nodiscard]] bool offers(const std::string& words) const {
     return line.help().find(words) != std::string::npos;
@@ -31,12 +34,16 @@ TEST_CASE("a lesson offers what its code runs with, and not what it goes without
   CHECK(usual.offers("--at COLUMN,ROW"));
   CHECK_FALSE(usual.offers("--budget"));
   CHECK_FALSE(usual.offers("--show"));
-  const Started about({.idea = "an idea", .without = {"--samples", "--zoom"}}, {.surfaces = true},
-                      {.budget = "how far off"});
-  CHECK_FALSE(about.offers("--samples"));
-  CHECK_FALSE(about.offers("--at"));
-  CHECK(about.offers("--budget"));
-  CHECK(about.offers("--show color|normal|uv|object"));
+  const Started sheet({.idea = "an idea"}, [](Offer& offer) {
+    offer.camera = false;
+    offer.surfaces = true;
+    offer.budget = "how far off";
+  });
+  CHECK_FALSE(sheet.offers("--samples"));
+  CHECK_FALSE(sheet.offers("--number"));
+  CHECK_FALSE(sheet.offers("--at"));
+  CHECK(sheet.offers("--budget"));
+  CHECK(sheet.offers("--show color|normal|uv|object"));
   const Started waves({.idea = "an idea", .numbers = Numbers::no_intervals});
   CHECK(waves.offers("float-pack"));
   CHECK(waves.offers("not interval: they have no sin"));
@@ -44,8 +51,16 @@ TEST_CASE("a lesson offers what its code runs with, and not what it goes without
   const Started single({.idea = "an idea", .numbers = Numbers::single});
   CHECK(single.offers("extended"));
   CHECK_FALSE(single.offers("float-pack"));
-  CHECK(single.session.settings.number == NumberKind::double_);
+  CHECK(single.chosen.settings.number == NumberKind::double_);
   CHECK_FALSE(Started({.idea = "an idea", .numbers = Numbers::only_double}).offers("--number"));
+}
+
+TEST_CASE("a budget is read with the line, and refused before anything is loaded") {
+  Started started({.idea = "an idea"}, [](Offer& offer) { offer.budget = "how far off"; });
+  CHECK(started.chosen.settings.budget.is_exact());
+  REQUIRE(started.line.parse({"--budget", "levels=2"}));
+  CHECK(started.chosen.settings.budget.limit == 2);
+  CHECK_THROWS_AS(static_cast<void>(started.line.parse({"--budget", "levels"})), UsageError);
 }
 
 }  // namespace

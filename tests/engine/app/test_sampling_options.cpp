@@ -8,18 +8,22 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/app/chosen.hpp"
 #include "engine/app/command_line.hpp"
 #include "engine/app/gather_session.hpp"
+#include "engine/app/globe_options.hpp"
 #include "engine/app/sampling_options.hpp"
 
 namespace texmap::test {
 namespace {
 
 /// The options when these words were typed.
-SamplingOptions typed(const std::vector<std::string>& words) {
-  SamplingOptions options;
+template <class Options = SamplingOptions>
+Options typed(const std::vector<std::string>& words) {
+  Options options;
   CommandLine line("light", "gathers light");
-  options.declare(line);
+  Offer offer{.line = line};
+  options.declare(offer);
   const bool goes_on = line.parse(words);
   CHECK(goes_on);
   return options;
@@ -76,7 +80,7 @@ TEST_CASE("each word chooses what it names") {
   for (const auto& [word, light] : {std::pair{"srgb", TexelLight::linear},
                                     {"stb", TexelLight::stb},
                                     {"raw", TexelLight::encoded}})
-    CHECK(typed({"--decode", word}).decoding == light);
+    CHECK(typed<GlobeOptions>({"--decode", word}).decoding == light);
   for (const auto& [word, transfer] :
        {std::pair{"srgb", Transfer::srgb}, {"sqrt", Transfer::sqrt}, {"2.2", Transfer::stb}})
     CHECK(typed({"--gamma", word}).transfer == transfer);
@@ -85,11 +89,11 @@ TEST_CASE("each word chooses what it names") {
 TEST_CASE("the options give a texture its meaning, and the sky the colors of the books") {
   LightTexture texture;
   GradientSky sky;
-  typed({"--decode", "raw", "--sky", "gradient"}).apply_to(texture, sky);
+  typed<GlobeOptions>({"--decode", "raw", "--sky", "gradient"}).apply_to(texture, sky);
   CHECK(texture.light == TexelLight::encoded);
   CHECK(std::tuple(sky.below.b, sky.above.r, sky.above.g, sky.above.b) ==
         std::tuple(1, 0.5, 0.7, 1));
-  typed({}).apply_to(texture, sky);
+  typed<GlobeOptions>({}).apply_to(texture, sky);
   CHECK(texture.light == TexelLight::linear);
   CHECK(std::tuple(sky.below.r, sky.below.g, sky.above.b) == std::tuple(0.7, 0.8, 1));
   CHECK(sky.is_constant());

@@ -1,4 +1,4 @@
-// Tests of engine/kernels/budget.hpp and kernel_plan.hpp: what a budget reads as and buys, and that
+// Tests of engine/measure/budget.hpp and kernel_plan.hpp: what a budget reads as and buys, and that
 // drawing uses it.
 #include "engine/kernels/kernel_plan.hpp"
 

@@ -1,28 +1,14 @@
-// The error budget: how far off a picture may be.
-#pragma once
+// The error budget as text.
+#include "engine/measure/budget.hpp"
+
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include "engine/measure/text.hpp"
 
 namespace texmap {
 
-/// How far off a picture may be.
-struct Budget {
-  enum class Unit {
-    exact,   ///< by the reference formulas
-    texels,  ///< distance on the texture
-    levels,  ///< difference of a color channel, of 255
-  };
-  Unit unit = Unit::exact;
-  double limit = 0;  ///< 0 for `exact`, otherwise above 0
-};
-
-/// Reads `exact`, `texels=0.01` or `levels=1`: a unit and a decimal number in (0, 255].
-/// Errors: std::invalid_argument, with what was expected and what was given.
-[[nodiscard]] inline Budget parse_budget(std::string_view text) {
+Budget parse_budget(std::string_view text) {
   if (text == "exact") return {};
   const bool texels = text.starts_with("texels=");
   if (texels || text.starts_with("levels=")) {
@@ -38,9 +24,8 @@ struct Budget {
       std::string(text) + "'");
 }
 
-/// The budget as text that parse_budget reads.
-[[nodiscard]] inline std::string to_text(const Budget& budget) {
-  if (budget.unit == Budget::Unit::exact) return "exact";
+std::string to_text(const Budget& budget) {
+  if (budget.is_exact()) return "exact";
   return (budget.unit == Budget::Unit::texels ? "texels=" : "levels=") + round_trip(budget.limit);
 }
 
