@@ -221,8 +221,12 @@ template <class Out>
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (k == i) continue;
       const std::string other = name_of_part<Out>(k);
-      if (i < k) slips += {name + " and " + other + " are exchanged", with(i, all[k], k, all[i])};
-      slips += {name + " is a copy of " + other, with(i, all[k], k, all[k])};
+      if (i < k) {
+        slips += {text("%s and %s are exchanged", name.c_str(), other.c_str()),
+                  with(i, all[k], k, all[i])};
+      }
+      slips +=
+          {text("%s is a copy of %s", name.c_str(), other.c_str()), with(i, all[k], k, all[k])};
     }
   }
   return slips;
