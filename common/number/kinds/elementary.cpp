@@ -8,7 +8,7 @@ namespace {
 template <class Function, std::floating_point T, class... More>
 T rounded_once(const Function& function, T x, More... more) {
   if constexpr (std::is_same_v<T, float>) {
-    return static_cast<float>(function(double{x}, double{more}...));
+    return static_cast<float>(function(static_cast<double>(x), static_cast<double>(more)...));
   } else {
     return function(x, more...);
   }
