@@ -241,7 +241,9 @@ class Tries:
         if self.user is not None:
             secret = Path(shutil.copy(good, T / 'secret'))
             secret.chmod(0)
-            self.refuses_file(kind, secret, 'unreadable', '*no permission to read it', out='/dev/null', **self.user)
+            # Where the picture goes is looked at first: /dev/null is anybody's.
+            self.refuses_file(kind, secret, 'unreadable', '*no permission to read it',
+                              out='/dev/null', **self.user)
         # Cut before its last line ends, it is no good file any more; and the picture that was there stays.
         bad = T / f'bad.{ending}'
         size = len(content)
