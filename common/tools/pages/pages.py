@@ -251,7 +251,8 @@ def self_test():
         refused('<!-- code: texture/uv.hpp half -->\n```cpp\n', 'does not end')
         refused('a <!-- figure: 02.m -->1<!-- end -->', 'has no figure 02.m')
         refused('a <!-- figure: 02.n -->1', 'lacks its')
-        road = 'one [two](a.md)\n\n| no |\n\n    no\n```\nno\n```\n![no](b)\n<details>\nno\n</details>\n'
+        road = ('one [two](a.md)\n\n| no |\n\n    no\n```\nno\n```\n'
+                '![no](b)\n<details>\nno\n</details>\n')
         assert words_on_the_road(road + '## Exercises\nno\n## Questions\nno\n## Then\n* four') == 4
         renew(block('half', 'old\n'))
         assert run(work, False) == 1
