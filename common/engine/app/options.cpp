@@ -2,6 +2,7 @@
 // of their own, have files of their own. A program that offers none of these groups links none.
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/app/bump_options.hpp"
 #include "engine/app/chosen.hpp"
@@ -24,9 +25,12 @@ namespace texmap {
 
 void TextureFile::declare(Offer& offer) { offer.line.text(option, "FILE", name, help); }
 
-const Image& TextureFile::load() {
-  if (kept.pixels.empty()) kept = load_image(find_texture(name));
-  return kept;
+Image TextureFile::load() {
+  if (!kept.pixels.empty()) return kept;
+  Image image = load_image(find_texture(name));
+  if (loaded) kept = image;
+  loaded = true;
+  return image;
 }
 
 void LayoutOptions::declare(Offer& offer) {
@@ -114,8 +118,8 @@ void ProjectionOptions::declare(Offer& offer) {
 }
 
 ImageTexture ProjectionOptions::load(TextureFile& file) const {
-  const Image& image = file.load();
-  if (from == on_globe()) return {image};
+  Image image = file.load();
+  if (from == on_globe()) return {std::move(image)};
   return {convert_projection(image, from, on_globe(), converted_size(image, from, on_globe()))};
 }
 

@@ -14,11 +14,13 @@ struct TextureFile {
   const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";
   const char* option = "--texture";
 
-  Image kept{};  ///< once it is loaded: pictures of a turn read no file again
-
   void declare(Offer& offer);
-  /// The picture. Errors: FileError with the file and where it was looked for.
-  [[nodiscard]] const Image& load();
+  /// The picture. It is kept from the second call on: then the pictures of a turn are drawn, and
+  /// a single picture needs no copy. Errors: FileError with the file and where it was looked for.
+  [[nodiscard]] Image load();
+
+  Image kept{};         ///< by load()
+  bool loaded = false;  ///< load() was called
 };
 
 }  // namespace texmap
