@@ -2,7 +2,7 @@
 #pragma once
 #include <string_view>
 
-#include "engine/measure/utf8.hpp"
+#include "engine/files/utf8.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {

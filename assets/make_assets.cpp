@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "engine/picture/save_png.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
 #include "make_bricks.hpp"
 #include "make_crate.hpp"
 #include "make_earth.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/lesson.hpp"
+#include "engine/draw/lesson.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/checkerboard.hpp"

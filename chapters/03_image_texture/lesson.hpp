@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/lesson.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/texture_file.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/checkerboard.hpp"

@@ -7,7 +7,7 @@
 
 #include "published/uv.hpp"
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap::chapter_04 {
 

@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/layout_options.hpp"
-#include "engine/app/lesson.hpp"
-#include "engine/app/session.hpp"
-#include "engine/app/texture_file.hpp"
-#include "engine/app/uv_options.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/layout_options.hpp"
+#include "engine/run/session.hpp"
+#include "engine/run/texture_file.hpp"
+#include "engine/run/uv_options.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "sheet.hpp"

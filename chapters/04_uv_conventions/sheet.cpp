@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "conventions_compared.hpp"
-#include "engine/app/texture_file.hpp"
-#include "engine/picture/sheet.hpp"
-#include "engine/render/render.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/render.hpp"
+#include "engine/files/sheet.hpp"
+#include "engine/files/system.hpp"
+#include "engine/run/texture_file.hpp"
 
 namespace texmap::chapter_04 {
 namespace {

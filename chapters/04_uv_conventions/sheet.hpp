@@ -5,7 +5,7 @@
 #include <array>
 #include <functional>
 
-#include "engine/app/session.hpp"
+#include "engine/run/session.hpp"
 #include "texture/conventions.hpp"
 
 namespace texmap::chapter_04 {

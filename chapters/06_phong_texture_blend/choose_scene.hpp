@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/app/chosen.hpp"
-#include "engine/app/phong_options.hpp"
+#include "engine/run/chosen.hpp"
+#include "engine/run/phong_options.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/conventions.hpp"

@@ -2,12 +2,12 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/globe_options.hpp"
-#include "engine/app/layout_options.hpp"
-#include "engine/app/lesson.hpp"
-#include "engine/app/sampling_options.hpp"
-#include "engine/app/texture_file.hpp"
-#include "engine/app/turntable.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/globe_options.hpp"
+#include "engine/run/layout_options.hpp"
+#include "engine/run/sampling_options.hpp"
+#include "engine/run/texture_file.hpp"
+#include "engine/run/turntable.hpp"
 #include "scene/paint.hpp"
 #include "scene/path.hpp"
 #include "scene/stage.hpp"

@@ -1,8 +1,8 @@
 // The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
-#include "engine/app/lesson.hpp"
-#include "engine/app/mesh_options.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/mesh_options.hpp"
+#include "engine/run/texture_file.hpp"
 #include "scene/stage.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"

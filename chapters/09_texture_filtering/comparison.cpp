@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "engine/app/filter_options.hpp"
-#include "engine/measure/interleaved.hpp"
-#include "engine/measure/plot.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/render/threads.hpp"
+#include "engine/compare/interleaved.hpp"
+#include "engine/compare/plot.hpp"
+#include "engine/draw/threads.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/filter_options.hpp"
 #include "ideal.hpp"
 
 namespace texmap::chapter_09 {

@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/filter_options.hpp"
-#include "engine/app/lesson.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/filter_options.hpp"
+#include "engine/run/texture_file.hpp"
 #include "scene/floor.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/chosen.hpp"
-#include "engine/app/command_line.hpp"
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/chosen.hpp"
+#include "engine/run/command_line.hpp"
 
 namespace texmap::chapter_09 {
 namespace {

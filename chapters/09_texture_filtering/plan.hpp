@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/app/filter_options.hpp"
+#include "engine/run/filter_options.hpp"
 #include "scene/camera.hpp"
 #include "scene/floor.hpp"
 #include "scene/nearest.hpp"

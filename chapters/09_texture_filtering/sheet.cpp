@@ -5,11 +5,11 @@
 #include <array>
 #include <utility>
 
-#include "engine/app/command_line.hpp"
-#include "engine/measure/plot.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/sheet.hpp"
-#include "engine/system/system.hpp"
+#include "engine/compare/plot.hpp"
+#include "engine/files/sheet.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
 
 namespace texmap::chapter_09 {
 namespace {

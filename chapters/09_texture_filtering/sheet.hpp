@@ -5,8 +5,8 @@
 #include <string>
 
 #include "comparison.hpp"
-#include "engine/app/filter_options.hpp"
-#include "engine/app/session.hpp"
+#include "engine/run/filter_options.hpp"
+#include "engine/run/session.hpp"
 #include "plan.hpp"
 #include "texture/filters.hpp"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/measure/interleaved.hpp"
-#include "engine/measure/text.hpp"
+#include "engine/compare/interleaved.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap::chapter_10 {
 namespace {

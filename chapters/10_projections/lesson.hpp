@@ -2,10 +2,10 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/lesson.hpp"
-#include "engine/app/projection_options.hpp"
-#include "engine/app/session.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/projection_options.hpp"
+#include "engine/run/session.hpp"
+#include "engine/run/texture_file.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "sheet.hpp"

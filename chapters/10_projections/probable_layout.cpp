@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/render/convert_projection.hpp"
+#include "engine/draw/convert_projection.hpp"
 
 namespace texmap::chapter_10 {
 namespace {

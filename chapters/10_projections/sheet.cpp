@@ -6,12 +6,12 @@
 #include <numbers>
 #include <string>
 
-#include "engine/measure/text.hpp"
-#include "engine/picture/sheet.hpp"
-#include "engine/render/convert_projection.hpp"
-#include "engine/render/render.hpp"
-#include "engine/render/threads.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/convert_projection.hpp"
+#include "engine/draw/render.hpp"
+#include "engine/draw/threads.hpp"
+#include "engine/files/sheet.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 #include "figures.hpp"
 #include "probable_layout.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <functional>
 
-#include "engine/app/projection_options.hpp"
-#include "engine/app/session.hpp"
+#include "engine/run/projection_options.hpp"
+#include "engine/run/session.hpp"
 #include "texture/mapped.hpp"
 #include "texture/projections.hpp"
 

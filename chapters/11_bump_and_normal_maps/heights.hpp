@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "engine/app/bump_options.hpp"
+#include "engine/run/bump_options.hpp"
 #include "scene/paint.hpp"
 #include "texture/bump.hpp"
 #include "texture/conventions.hpp"

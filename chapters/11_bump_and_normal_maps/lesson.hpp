@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/bump_options.hpp"
-#include "engine/app/layout_options.hpp"
-#include "engine/app/lesson.hpp"
-#include "engine/app/texture_file.hpp"
-#include "engine/app/turntable.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/bump_options.hpp"
+#include "engine/run/layout_options.hpp"
+#include "engine/run/texture_file.hpp"
+#include "engine/run/turntable.hpp"
 #include "heights.hpp"
 #include "scene/paint.hpp"
 #include "scene/shading_normal.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/picture/sheet.hpp"
-#include "engine/render/render.hpp"
+#include "engine/draw/render.hpp"
+#include "engine/files/sheet.hpp"
 #include "published/brick_normals.hpp"
 #include "published/uv.hpp"
 #include "scene/sphere.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/app/bump_options.hpp"
-#include "engine/app/session.hpp"
-#include "engine/render/settings.hpp"
+#include "engine/draw/settings.hpp"
+#include "engine/run/bump_options.hpp"
+#include "engine/run/session.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/image.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/render/render.hpp"
+#include "engine/draw/render.hpp"
 
 namespace texmap::chapter_11 {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/lesson.hpp"
-#include "engine/app/sampling_options.hpp"
-#include "engine/app/sky_options.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/sampling_options.hpp"
+#include "engine/run/sky_options.hpp"
 #include "scene/paint.hpp"
 #include "scene/sky_path.hpp"
 #include "scene/stage.hpp"

@@ -13,8 +13,8 @@
 #include <numeric>
 
 #include "engine/compare/difference.hpp"
-#include "engine/render/develop.hpp"
-#include "engine/render/threads.hpp"
+#include "engine/draw/develop.hpp"
+#include "engine/draw/threads.hpp"
 #include "math/srgb.hpp"
 #include "ways.hpp"
 

@@ -1,9 +1,9 @@
 // The lesson of this chapter: what each saving of time costs in accuracy, measured on the machine
 // that runs it.
 #pragma once
-#include "engine/app/command_line.hpp"
-#include "engine/app/session.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/run/command_line.hpp"
+#include "engine/run/session.hpp"
+#include "engine/run/texture_file.hpp"
 #include "ways.hpp"
 
 namespace texmap::chapter_13 {

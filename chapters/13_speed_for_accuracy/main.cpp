@@ -1,5 +1,5 @@
 // Runs this chapter's lesson.
-#include "engine/app/run_chapter.hpp"
+#include "engine/run/run_chapter.hpp"
 #include "lesson.hpp"
 
 int main(int argc, char** argv) {

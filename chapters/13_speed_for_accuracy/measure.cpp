@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 #include "ways.hpp"
 
 namespace texmap::chapter_13 {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/kernels/kernel_plan.hpp"
-#include "engine/measure/json.hpp"
-#include "engine/measure/text.hpp"
+#include "engine/fast/kernel_plan.hpp"
+#include "engine/files/json.hpp"
+#include "engine/files/text.hpp"
 #include "ways.hpp"
 
 namespace texmap::chapter_13 {

@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
-#include "engine/kernels/kernel_plan.hpp"
-#include "engine/kernels/srgb_kernel.hpp"
-#include "engine/render/draw.hpp"
+#include "engine/draw/draw.hpp"
+#include "engine/fast/kernel_plan.hpp"
+#include "engine/fast/srgb_kernel.hpp"
 #include "scene/camera.hpp"
 #include "scene/lens.hpp"
 #include "scene/path.hpp"

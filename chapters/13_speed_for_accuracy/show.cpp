@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/app/budget_options.hpp"
-#include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/picture/sheet.hpp"
-#include "engine/render/develop.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/develop.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/sheet.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/budget_options.hpp"
+#include "engine/run/command_line.hpp"
 #include "lesson.hpp"
 
 namespace texmap::chapter_13 {

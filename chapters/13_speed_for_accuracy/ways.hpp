@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/turns.hpp"
-#include "engine/measure/budget.hpp"
-#include "engine/measure/interleaved.hpp"
-#include "engine/measure/machine.hpp"
-#include "engine/measure/plot.hpp"
-#include "engine/measure/stopwatch.hpp"
-#include "engine/render/film.hpp"
-#include "engine/render/number_names.hpp"
+#include "engine/compare/interleaved.hpp"
+#include "engine/compare/machine.hpp"
+#include "engine/compare/plot.hpp"
+#include "engine/draw/film.hpp"
+#include "engine/draw/number_names.hpp"
+#include "engine/fast/budget.hpp"
+#include "engine/fast/turns.hpp"
+#include "engine/files/stopwatch.hpp"
 #include "number/kinds/judge.hpp"
 #include "sampling/samplers.hpp"
 #include "scenes.hpp"

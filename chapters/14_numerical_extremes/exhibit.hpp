@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/settings.hpp"
+#include "engine/draw/settings.hpp"
 #include "math/color.hpp"
 #include "number/kinds/judge.hpp"
 #include "scene/camera.hpp"

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "engine/render/draw.hpp"
+#include "engine/draw/draw.hpp"
 
 namespace texmap::chapter_14 {
 namespace {

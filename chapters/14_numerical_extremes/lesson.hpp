@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "engine/app/session.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/run/session.hpp"
+#include "engine/run/texture_file.hpp"
 #include "exhibit.hpp"
 
 namespace texmap::chapter_14 {

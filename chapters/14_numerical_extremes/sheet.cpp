@@ -1,13 +1,13 @@
 // The sheet of all exhibits, its table, and the options of one exhibit alone.
 #include <algorithm>
 
-#include "engine/app/command_line.hpp"
-#include "engine/app/session.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/sheet.hpp"
-#include "engine/render/threads.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/threads.hpp"
+#include "engine/files/sheet.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
+#include "engine/run/session.hpp"
 #include "exhibit.hpp"
 
 namespace texmap::chapter_14 {

@@ -9,7 +9,7 @@
 
 namespace texmap {
 
-/// How a texture is read. To add a filter, name it here; its word: engine/app/options.cpp.
+/// How a texture is read. To add a filter, name it here; its word: engine/run/options.cpp.
 enum class Filter {
   nearest,      ///< the texel at the pixel's center: 1 read
   bilinear,     ///< the 4 texels around the center, mixed

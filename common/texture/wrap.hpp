@@ -5,7 +5,7 @@
 namespace texmap {
 
 /// What lies beyond the edges of an image. A mode treats opposite edges alike, because the filters
-/// count v from the top. A new one also needs its word at both --wrap in engine/app/options.cpp.
+/// count v from the top. A new one also needs its word at both --wrap in engine/run/options.cpp.
 enum class Wrap {
   repeat,     ///< the image again
   mirror,     ///< its mirror image, then the image again

@@ -1,4 +1,4 @@
-// Makes common/engine/kernels/coefficients.hpp: polynomials with the smallest worst case for the
+// Makes common/engine/fast/coefficients.hpp: polynomials with the smallest worst case for the
 // kernels, by the exchange algorithm of Remez in long double (docs/numerics.md, "Fitting
 // polynomials"). The worst case in the file is measured on the printed coefficients. Needs a long
 // double of 64 bits or more, because it uses its library functions.

@@ -13,13 +13,13 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/app/command_line.hpp"
-#include "engine/picture/blit.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/picture/stroke_font.hpp"
-#include "engine/system/file_error.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/blit.hpp"
+#include "engine/files/file_error.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/stroke_font.hpp"
+#include "engine/files/system.hpp"
+#include "engine/run/command_line.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "../support/temporary_folder.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
 #include "land_coverage.hpp"
 #include "make_bricks.hpp"
 #include "make_crate.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/load_light.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/load_light.hpp"
 #include "support/pictures.hpp"
 #include "support/sha256.hpp"
 #include "support/shown_values.hpp"

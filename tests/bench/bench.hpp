@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/measure/interleaved.hpp"
-#include "engine/measure/machine.hpp"
-#include "engine/measure/plot.hpp"
+#include "engine/compare/interleaved.hpp"
+#include "engine/compare/machine.hpp"
+#include "engine/compare/plot.hpp"
 
 namespace texmap::bench {
 

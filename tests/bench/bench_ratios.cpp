@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "bench.hpp"
-#include "engine/app/command_line.hpp"
-#include "engine/app/run_chapter.hpp"
-#include "engine/render/progress.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/progress.hpp"
+#include "engine/files/system.hpp"
+#include "engine/run/command_line.hpp"
+#include "engine/run/run_chapter.hpp"
 
 using namespace texmap;
 using namespace texmap::bench;

@@ -15,7 +15,7 @@
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/mesh/box_tree.hpp"
+#include "engine/fast/box_tree.hpp"
 #include "ledger.hpp"
 #include "support/mesh_rays.hpp"
 

@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/app/planned_highlight.hpp"
-#include "engine/render/develop.hpp"
+#include "engine/draw/develop.hpp"
+#include "engine/run/planned_highlight.hpp"
 #include "pictures.hpp"
 #include "variants.hpp"
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "bench.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/render/number_names.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/number_names.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap::bench {
 namespace {
@@ -168,7 +168,7 @@ std::string page_of(const Machine& machine, const Effort& effort, const std::vec
                         static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()))}) +
       line_of({"rounds", text("at least %d", effort.least)}) +
       "\nWorks that are compared are timed alternately, and the shortest time of each counts\n"
-      "(`common/engine/measure/interleaved.cpp`). A cell has a time, in the unit at the table's\n"
+      "(`common/engine/compare/interleaved.cpp`). A cell has a time, in the unit at the table's\n"
       "corner, and in brackets how many times as fast as the base that is. Ratios change from\n"
       "run to run by some hundredths, on a busy machine by a tenth. All on one thread, but\n"
       "for the group `threads`. \"–\": not on this machine.\n\n";

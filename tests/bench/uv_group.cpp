@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 #include "uv_job.hpp"
 
 namespace texmap::bench {
@@ -27,7 +27,7 @@ std::shared_ptr<const UvJob> job_of(int degree) {
   return job;
 }
 
-/// The stated worst case of a polynomial, as in common/engine/kernels/kernel_plan.cpp.
+/// The stated worst case of a polynomial, as in common/engine/fast/kernel_plan.cpp.
 template <class T>
 std::string worst_texels(int degree) {
   return with_uv_mapping(degree, [](const auto& mapping) -> std::string {

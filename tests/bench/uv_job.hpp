@@ -4,7 +4,7 @@
 #include <atomic>
 #include <tuple>
 
-#include "engine/kernels/kernel_plan.hpp"
+#include "engine/fast/kernel_plan.hpp"
 #include "published/uv.hpp"
 #include "variants.hpp"
 
@@ -33,6 +33,7 @@ void store(const Real& value, Scalar<Real>* to) {
 /// A work of draw.hpp with float, double, and single packs of them.
 struct UvJob {
   using Result = void;
+  static constexpr bool for_packs = true;
   static constexpr std::size_t rows = 512;  ///< so few that all stay in the first cache
   static constexpr int repeats = 32;
 

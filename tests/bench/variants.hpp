@@ -6,8 +6,8 @@
 #include <type_traits>
 
 #include "bench.hpp"
-#include "engine/render/draw.hpp"
-#include "engine/render/number_names.hpp"
+#include "engine/draw/draw.hpp"
+#include "engine/draw/number_names.hpp"
 
 namespace texmap::bench {
 
@@ -68,6 +68,7 @@ template <class Make>
 template <class Work>
 struct InDouble {
   using Result = typename Work::Result;
+  static constexpr bool for_packs = true;
   Work work;
 
   template <class Real>

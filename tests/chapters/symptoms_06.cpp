@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "06_phong_texture_blend/lesson.hpp"
-#include "engine/app/planned_highlight.hpp"
+#include "engine/run/planned_highlight.hpp"
 #include "support/symptoms.hpp"
 
 using namespace texmap;

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "13_speed_for_accuracy/lesson.hpp"
-#include "engine/app/run_chapter.hpp"
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/run_chapter.hpp"
 #include "support/shown_values.hpp"
 
 using namespace texmap;

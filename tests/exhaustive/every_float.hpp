@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/threads.hpp"
+#include "engine/draw/threads.hpp"
 #include "number/kinds/pack.hpp"
 #include "number/number.hpp"
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/power_kernel.hpp"
-#include "engine/kernels/root_texture.hpp"
-#include "engine/kernels/srgb_kernel.hpp"
-#include "engine/kernels/turns.hpp"
-#include "engine/measure/text.hpp"
+#include "engine/fast/power_kernel.hpp"
+#include "engine/fast/root_texture.hpp"
+#include "engine/fast/srgb_kernel.hpp"
+#include "engine/fast/turns.hpp"
+#include "engine/files/text.hpp"
 #include "references.hpp"
 #include "sampling/directions.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/render/threads.hpp"
+#include "engine/draw/threads.hpp"
 #include "every_float.hpp"
 #include "number/kinds/pack2.hpp"
 #include "support/mesh_rays.hpp"

@@ -1,12 +1,12 @@
-// Claims of common/engine/kernels, and of what else was tried on every input or proven: the rows of
+// Claims of common/engine/fast, and of what else was tried on every input or proven: the rows of
 // the page that tests/exhaustive and tests/proofs hold.
 #include <algorithm>
 
 #include "claims.hpp"
-#include "engine/kernels/power_kernel.hpp"
-#include "engine/kernels/root_texture.hpp"
-#include "engine/kernels/srgb_kernel.hpp"
-#include "engine/kernels/turns.hpp"
+#include "engine/fast/power_kernel.hpp"
+#include "engine/fast/root_texture.hpp"
+#include "engine/fast/srgb_kernel.hpp"
+#include "engine/fast/turns.hpp"
 
 namespace texmap::extremes {
 namespace {

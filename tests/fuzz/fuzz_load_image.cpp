@@ -5,9 +5,9 @@
 #include <cstring>
 #include <span>
 
-#include "engine/picture/codecs/png_chunks.hpp"
-#include "engine/picture/codecs/read_png.hpp"
-#include "engine/picture/decode_image.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/png_chunks.hpp"
+#include "engine/files/read_png.hpp"
 #include "fuzz/target.hpp"
 
 namespace texmap::test {

@@ -1,9 +1,9 @@
 // Any bytes as a Radiance file: the reader loads or refuses them, and what loads can light a scene.
 #include <cmath>
 
-#include "engine/app/sky_options.hpp"
-#include "engine/picture/codecs/read_hdr.hpp"
-#include "engine/system/file_error.hpp"
+#include "engine/files/file_error.hpp"
+#include "engine/files/read_hdr.hpp"
+#include "engine/run/sky_options.hpp"
 #include "fuzz/target.hpp"
 
 namespace texmap::test {

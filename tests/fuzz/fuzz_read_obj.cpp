@@ -1,6 +1,6 @@
 // Any bytes as a mesh file: the reader loads or refuses them, and what loads can be drawn.
-#include "engine/mesh/box_tree.hpp"
-#include "engine/mesh/read_obj.hpp"
+#include "engine/fast/box_tree.hpp"
+#include "engine/files/read_obj.hpp"
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

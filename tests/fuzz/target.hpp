@@ -7,7 +7,7 @@
 #include <new>
 #include <string_view>
 
-#include "engine/system/file_error.hpp"
+#include "engine/files/file_error.hpp"
 
 /// Tries one input, of any bytes; whatever is wrong ends the program.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

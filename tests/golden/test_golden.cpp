@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "13_speed_for_accuracy/lesson.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
 #include "support/pictures.hpp"
 #include "support/same_picture.hpp"
 

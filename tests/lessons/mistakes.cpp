@@ -2,8 +2,8 @@
 // name the mistake.
 #include <vector>
 
-#include "engine/app/run_chapter.hpp"
-#include "engine/app/texture_file.hpp"
+#include "engine/run/run_chapter.hpp"
+#include "engine/run/texture_file.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/mapped.hpp"

@@ -21,9 +21,9 @@
 #include "changes/second_picture.hpp"
 #include "changes/stripes.hpp"
 #include "changes/tiles.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/render/wide/wide_packs.hpp"
+#include "engine/draw/wide_packs.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
 #include "number/kinds/pack.hpp"
 #include "support/pictures.hpp"
 

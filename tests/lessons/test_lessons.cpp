@@ -2,7 +2,7 @@
 #include <doctest.h>
 
 #include "02_checkerboard_uv/lesson.hpp"
-#include "engine/app/run_chapter.hpp"
+#include "engine/run/run_chapter.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace texmap;

@@ -13,8 +13,8 @@
 #include "10_projections/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "14_numerical_extremes/lesson.hpp"
-#include "engine/app/run_chapter.hpp"
-#include "engine/picture/sheet.hpp"
+#include "engine/files/sheet.hpp"
+#include "engine/run/run_chapter.hpp"
 
 namespace texmap::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/picture/save_png.hpp"
+#include "engine/files/save_png.hpp"
 #include "support/temporary_folder.hpp"
 #include "tools/page/page.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "engine/picture/load_image.hpp"
+#include "engine/files/load_image.hpp"
 #include "tools/book/microscope.hpp"
 
 int main(int, char** argv) {

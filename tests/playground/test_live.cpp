@@ -17,7 +17,7 @@
 #include "chapter_10.hpp"
 #include "chapter_11.hpp"
 #include "chapter_12.hpp"
-#include "engine/app/prepared.hpp"
+#include "engine/run/prepared.hpp"
 #include "published/uv.hpp"
 #include "sampling/hash.hpp"
 #include "support/pictures.hpp"

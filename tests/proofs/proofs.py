@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Proves with gappa that rounding keeps to the bounds which the kernels state, for each polynomial and number: a line each.
 
-usage: proofs.py COEFFICIENTS FOLDER     COEFFICIENTS: engine/kernels/coefficients.hpp; FOLDER: for the questions, made anew
+usage: proofs.py COEFFICIENTS FOLDER     COEFFICIENTS: engine/fast/coefficients.hpp; FOLDER: for the questions, made anew
 exit status: 0 all is proven; 1 something is not; 77 gappa is missing (Debian gappa)
 
 In gappa's language a small letter is what the machine has, the same large letter what it would have without rounding.

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "engine/render/sample_random.hpp"
+#include "engine/draw/sample_random.hpp"
 #include "sampling/sampled_numbers.hpp"
 #include "support/shown_values.hpp"
 #include "support/whole_numbers.hpp"

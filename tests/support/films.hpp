@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "engine/app/budget_options.hpp"
-#include "engine/render/draw.hpp"
+#include "engine/draw/draw.hpp"
+#include "engine/run/budget_options.hpp"
 #include "support/pictures.hpp"
 
 namespace texmap::test {

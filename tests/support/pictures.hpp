@@ -4,8 +4,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/app/prepared.hpp"
 #include "engine/compare/difference.hpp"
+#include "engine/run/prepared.hpp"
 #include "scene/nearest.hpp"
 #include "support/made_pictures.hpp"
 

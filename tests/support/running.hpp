@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/picture/load_image.hpp"
+#include "engine/files/load_image.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace texmap::test {

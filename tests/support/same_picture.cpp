@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "engine/compare/difference.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/save_png.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 #include "support/call_place.hpp"
 
 namespace texmap::test {

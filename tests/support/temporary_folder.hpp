@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/system/file_error.hpp"
+#include "engine/files/file_error.hpp"
 
 namespace texmap::test {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/measure/text.hpp"
-#include "engine/render/threads.hpp"
+#include "engine/draw/threads.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/measure/json.hpp"
+#include "engine/files/json.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {

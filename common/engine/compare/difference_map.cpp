@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/stroke_font.hpp"
+#include "engine/files/image_limits.hpp"
+#include "engine/files/stroke_font.hpp"
 #include "math/srgb.hpp"
 
 namespace texmap {

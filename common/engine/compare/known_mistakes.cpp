@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "engine/compare/difference.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/render/threads.hpp"
-#include "engine/system/system.hpp"
+#include "engine/draw/threads.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 #include "math/srgb.hpp"
 
 namespace texmap {

@@ -20,11 +20,11 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/measure/json.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/json.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
 #include "microscope.hpp"

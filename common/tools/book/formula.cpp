@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/measure/text.hpp"
-#include "engine/measure/utf8.hpp"
+#include "engine/files/text.hpp"
+#include "engine/files/utf8.hpp"
 #include "markdown.hpp"
 
 namespace texmap::book {

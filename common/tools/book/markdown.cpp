@@ -10,7 +10,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 #include "formula.hpp"
 
 namespace texmap::book {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/render/render.hpp"
+#include "engine/draw/render.hpp"
 #include "number/kinds/double_pair.hpp"
 #include "published/uv.hpp"
 #include "scene/camera.hpp"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 #include "markdown.hpp"
 
 namespace texmap::book {

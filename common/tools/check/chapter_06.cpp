@@ -2,9 +2,9 @@
 // names; here those names, in the lesson's namespace, lead to the student's function.
 #include <numeric>
 
-#include "engine/app/layout_options.hpp"
-#include "engine/app/phong_options.hpp"
-#include "engine/app/planned_highlight.hpp"
+#include "engine/run/layout_options.hpp"
+#include "engine/run/phong_options.hpp"
+#include "engine/run/planned_highlight.hpp"
 #include "exercises.hpp"
 
 namespace texmap::chapter_06 {

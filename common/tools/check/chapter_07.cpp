@@ -2,9 +2,9 @@
 // student's function: the numbers of a sample, light_along, and the mean of the samples.
 #include <numeric>
 
-#include "engine/app/layout_options.hpp"
-#include "engine/app/sampling_options.hpp"
-#include "engine/render/develop.hpp"
+#include "engine/draw/develop.hpp"
+#include "engine/run/layout_options.hpp"
+#include "engine/run/sampling_options.hpp"
 #include "exercises.hpp"
 #include "math/srgb.hpp"
 #include "sampling/samplers.hpp"

@@ -1,6 +1,6 @@
 // The exercises of chapter 08. The lesson is the chapter's own. It uses first_hit and MeshMapping
 // by name; here those names, in the lesson's namespace, lead to the student's function.
-#include "engine/app/mesh_options.hpp"
+#include "engine/run/mesh_options.hpp"
 #include "exercises.hpp"
 #include "texture/mesh_mapping.hpp"
 

@@ -1,7 +1,7 @@
 // The exercises of chapter 09. The lesson's FilteredTexture is here a struct that calls the
 // student's function where it reads the floor.
 #include "09_texture_filtering/sheet.hpp"
-#include "engine/app/filter_options.hpp"
+#include "engine/run/filter_options.hpp"
 #include "exercises.hpp"
 #include "texture/environment.hpp"
 

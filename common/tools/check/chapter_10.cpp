@@ -1,7 +1,7 @@
 // The exercises of chapter 10. The lesson's ProjectionMapping and ProjectionOptions are here
 // structs that call the student's functions: to read the globe's picture, and to make it.
 #include "10_projections/sheet.hpp"
-#include "engine/app/projection_options.hpp"
+#include "engine/run/projection_options.hpp"
 #include "exercises.hpp"
 #include "map_mistakes.hpp"
 #include "texture/projection_facts.hpp"

@@ -1,7 +1,7 @@
 // The exercises of chapter 11. The lesson's Bumps is here a struct that calls the student's
 // function: with heights, or with a normal map that it makes of them.
 #include "11_bump_and_normal_maps/sheets.hpp"
-#include "engine/app/bump_options.hpp"
+#include "engine/run/bump_options.hpp"
 #include "exercises.hpp"
 #include "math/srgb.hpp"
 #include "texture/bump.hpp"

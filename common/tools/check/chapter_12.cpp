@@ -2,10 +2,10 @@
 // student's functions: when the sky is loaded, and when a direction is drawn.
 #include <numeric>
 
-#include "engine/app/sampling_options.hpp"
-#include "engine/app/sky_options.hpp"
-#include "engine/render/develop.hpp"
-#include "engine/render/gather.hpp"
+#include "engine/draw/develop.hpp"
+#include "engine/draw/gather.hpp"
+#include "engine/run/sampling_options.hpp"
+#include "engine/run/sky_options.hpp"
 #include "exercises.hpp"
 #include "math/srgb.hpp"
 #include "sampling/directions.hpp"

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/prepared.hpp"
-#include "engine/render/render.hpp"
+#include "engine/draw/render.hpp"
+#include "engine/run/prepared.hpp"
 #include "judge.hpp"
 #include "texture/image.hpp"
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 #include "math/color.hpp"
 #include "math/vec3.hpp"
 #include "texture/uv.hpp"

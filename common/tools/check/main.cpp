@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "attempt.hpp"
-#include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
 #include "exercises.hpp"
 #include "tools/page/page.hpp"
 

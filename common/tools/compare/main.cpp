@@ -2,14 +2,14 @@
 // the mean color of a part of one picture.
 #include <algorithm>
 
-#include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/decode_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/system/file_error.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/file_error.hpp"
+#include "engine/files/image_limits.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
 
 namespace {
 

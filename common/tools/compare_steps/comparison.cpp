@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <utility>
 
-#include "engine/measure/text.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap::steps {
 

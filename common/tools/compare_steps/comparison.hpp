@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/app/prepared.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
+#include "engine/run/prepared.hpp"
 #include "texture/uv.hpp"
 #include "tools/page/page.hpp"
 

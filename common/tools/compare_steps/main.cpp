@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "comparison.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/decode_image.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/image_limits.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 
 namespace {
 

@@ -11,15 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/codecs/read_jpeg.hpp"
-#include "engine/picture/codecs/read_png.hpp"
-#include "engine/picture/decode_image.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/image_limits.hpp"
+#include "engine/files/read_jpeg.hpp"
+#include "engine/files/read_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
 
 namespace {
 

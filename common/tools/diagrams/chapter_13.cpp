@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "diagrams.hpp"
-#include "engine/kernels/turns.hpp"
+#include "engine/fast/turns.hpp"
 
 namespace texmap::diagrams {
 namespace {

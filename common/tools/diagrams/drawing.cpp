@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "engine/measure/text.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap::diagrams {
 namespace {

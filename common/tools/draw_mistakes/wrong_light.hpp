@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/app/planned_highlight.hpp"
+#include "engine/run/planned_highlight.hpp"
 #include "math/color.hpp"
 #include "scene/phong.hpp"
 #include "texture/uv.hpp"

@@ -17,7 +17,7 @@ import sys
 KEPT = """
     course CMakeLists.txt CMakePresets.json README.md LICENSE vcpkg.json .clang-format .gitattributes .gitignore
     chapters/* common/* docs/*.md docs/live/* assets/*
-    tests/CMakeLists.txt tests/doctest_main.cpp tests/support/* tests/textbook_suites.cmake tests/closure*
+    tests/CMakeLists.txt tests/doctest_main.cpp tests/support/* tests/closure/*
     tests/number/test_number.cpp tests/math/* tests/sampling/* tests/scene/* tests/texture/* tests/published/*
     tests/chapters/*_[0-9][0-9]* tests/golden/programs.sh tests/golden/*.png tests/exercises/[0-9][0-9]_[0-9].hpp tests/extremes/digits.hpp tests/packs/wide.sh
     !docs/teaching.md !docs/grading.md !docs/pictures/* !assets/*pp !assets/CMakeLists.txt !assets/sources/* !assets/*sum* !assets/sky.sha256

@@ -8,17 +8,17 @@
 #include <iostream>
 #include <map>
 
-#include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/measure/json.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/blit.hpp"
-#include "engine/picture/codecs/png_chunks.hpp"
-#include "engine/picture/codecs/read_jpeg.hpp"
-#include "engine/picture/codecs/read_png.hpp"
-#include "engine/picture/decode_image.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/blit.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/json.hpp"
+#include "engine/files/png_chunks.hpp"
+#include "engine/files/read_jpeg.hpp"
+#include "engine/files/read_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
 #include "tools/page/page.hpp"
 
 namespace {

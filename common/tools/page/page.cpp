@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/measure/text.hpp"
-#include "engine/measure/utf8.hpp"
-#include "engine/picture/save_png.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/text.hpp"
+#include "engine/files/utf8.hpp"
 
 namespace texmap::page {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "13_speed_for_accuracy/ways.hpp"
-#include "engine/measure/json.hpp"
-#include "engine/picture/decode_image.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/json.hpp"
 #include "exported.hpp"
 #include "texel_error.hpp"
 

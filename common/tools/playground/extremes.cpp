@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "14_numerical_extremes/exhibits.hpp"
-#include "engine/measure/json.hpp"
-#include "engine/picture/decode_image.hpp"
-#include "engine/render/render.hpp"
+#include "engine/draw/render.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/json.hpp"
 #include "exported.hpp"
 
 namespace {

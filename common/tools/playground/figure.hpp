@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/measure/json.hpp"
-#include "engine/render/render.hpp"
+#include "engine/draw/render.hpp"
+#include "engine/files/json.hpp"
 #include "math/color.hpp"
 #include "what_a_ray_meets.hpp"
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/session.hpp"
-#include "engine/render/develop.hpp"
-#include "engine/render/gather.hpp"
+#include "engine/draw/develop.hpp"
+#include "engine/draw/gather.hpp"
+#include "engine/run/session.hpp"
 
 namespace texmap::live {
 

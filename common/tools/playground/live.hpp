@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/run_chapter.hpp"
-#include "engine/measure/json.hpp"
+#include "engine/files/json.hpp"
+#include "engine/run/run_chapter.hpp"
 #include "gathered.hpp"
 #include "texel_error.hpp"
 #include "what_a_ray_meets.hpp"

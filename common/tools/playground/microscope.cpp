@@ -3,7 +3,7 @@
 #include <exception>
 #include <vector>
 
-#include "engine/picture/decode_image.hpp"
+#include "engine/files/decode_image.hpp"
 #include "exported.hpp"
 #include "tools/book/microscope.hpp"
 

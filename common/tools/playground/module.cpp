@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/picture/decode_image.hpp"
-#include "engine/picture/find_texture.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/find_texture.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
 #include "exported.hpp"
 #include "live.hpp"
 

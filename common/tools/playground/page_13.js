@@ -122,7 +122,7 @@ const built = [
 ];
 const literal = (value) => /[.e]/.test(String(value)) ? String(value) : `${value}.0`;
 const horner = (list, x) => list.reduceRight((sum, power) => sum === "" ? literal(power) : `${literal(power)} + ${x} * (${sum})`, "");
-// FastUnitMapping, as common/engine/kernels/turns.hpp has it.
+// FastUnitMapping, as common/engine/fast/turns.hpp has it.
 const byPolynomials = ({tangent, cosine}) => `
 vec2 uv(vec3 n) {
   vec2 wide = abs(n.xz);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <variant>
 
-#include "engine/app/lesson.hpp"
-#include "engine/app/lesson_surfaces.hpp"
-#include "engine/render/render.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/draw/lesson_surfaces.hpp"
+#include "engine/draw/render.hpp"
 #include "math/color.hpp"
 #include "scene/camera.hpp"
 #include "texture/image.hpp"

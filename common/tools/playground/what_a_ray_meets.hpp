@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/lesson_surfaces.hpp"
-#include "engine/measure/json.hpp"
+#include "engine/draw/lesson_surfaces.hpp"
+#include "engine/files/json.hpp"
 #include "scene/light.hpp"
 #include "texel_error.hpp"
 #include "texture/checkerboard.hpp"

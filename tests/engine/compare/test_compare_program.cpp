@@ -4,8 +4,8 @@
 #include <string>
 
 #include "engine/compare/difference.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
 #include "support/running.hpp"
 #include "support/temporary_folder.hpp"
 

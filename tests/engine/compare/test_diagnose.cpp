@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/picture/save_png.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
 #include "support/made_pictures.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"

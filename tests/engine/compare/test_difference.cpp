@@ -9,9 +9,9 @@
 #include <string>
 
 #include "engine/compare/difference.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/picture/save_png.hpp"
+#include "engine/files/image_limits.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/save_png.hpp"
 #include "support/made_pictures.hpp"
 #include "support/pictures.hpp"
 #include "support/same_picture.hpp"

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/system/system.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/system.hpp"
 #include "support/made_pictures.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"

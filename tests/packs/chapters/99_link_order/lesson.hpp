@@ -5,7 +5,7 @@
 #include <array>
 #include <type_traits>
 
-#include "engine/app/lesson.hpp"
+#include "engine/draw/lesson.hpp"
 #include "scene/stage.hpp"
 
 namespace texmap::chapter_99 {

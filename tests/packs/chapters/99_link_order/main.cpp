@@ -1,7 +1,7 @@
 // Runs the lesson of the link order.
 #include "lesson.hpp"
 
-#include "engine/app/run_chapter.hpp"
+#include "engine/run/run_chapter.hpp"
 
 int main(int argc, char** argv) {
   return texmap::run_chapter<texmap::chapter_99::Lesson>("99_link_order", argc, argv);

@@ -1,0 +1,9 @@
+// The random numbers of single samples: compiled once, for programs for learning.
+#include "engine/draw/sample_random.hpp"
+
+namespace texmap {
+
+template TEXMAP_TWO_WIDTHS TEXMAP_FLATTEN void SampleSums<double>::make(int);
+template const Point2<double>& RandomBlock<double>::make_other(int, int);
+
+}  // namespace texmap

@@ -1,0 +1,226 @@
+// From the bytes of a Radiance .hdr file to light. Each texel is three mantissas and an exponent.
+#include "engine/files/read_hdr.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/files/file_error.hpp"
+#include "engine/files/image_limits.hpp"
+#include "engine/files/text.hpp"
+
+namespace texmap {
+namespace {
+
+constexpr std::size_t max_header_bytes = std::size_t{1} << 16;
+constexpr std::size_t max_shown = 60;  // bytes of the file in a message
+
+using Rgbe = std::array<std::uint8_t, 4>;
+
+[[noreturn]] void damaged(const std::string& how) {
+  throw FileError("the Radiance file is damaged: " + how);
+}
+
+// A line of the file as a message may show it.
+std::string printable(std::string_view line) {
+  std::string shown(line.substr(0, max_shown));
+  for (char& c : shown) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return "'" + shown + (line.size() > max_shown ? "...'" : "'");
+}
+
+// The file, read from the front.
+class Reader {
+ public:
+  explicit Reader(Bytes file) : rest_(file) {}
+
+  LightImage read(std::uint64_t most_texels) {
+    const double exposure = header();
+    const ImageSize size = resolution();
+    check_image_size(size);
+    check_sky_size(size, most_texels);
+    LightImage image(static_cast<int>(size.width), static_cast<int>(size.height));
+    std::vector<Rgbe> row(size.width);
+    for (int y = 0; y < image.height; ++y) {
+      scanline(row, y);
+      for (int x = 0; x < image.width; ++x)
+        image.at(x, y) = light_of(row[static_cast<std::size_t>(x)], exposure);
+    }
+    return image;
+  }
+
+ private:
+  std::string_view take_line() {
+    const auto end = std::find(rest_.begin(), rest_.end(), std::uint8_t{'\n'});
+    const auto length = static_cast<std::size_t>(end - rest_.begin());
+    header_bytes_ += length + 1;
+    if (end == rest_.end() || header_bytes_ > max_header_bytes) damaged("its header does not end");
+    const std::string_view line(reinterpret_cast<const char*>(rest_.data()), length);
+    rest_ = rest_.subspan(length + 1);
+    return line;
+  }
+
+  // The lines before the first empty one. Returns the product of all exposures.
+  double header() {
+    double exposure = 1;
+    bool has_format = false;
+    take_line();  // the signature
+    for (std::string_view line = take_line(); !line.empty(); line = take_line()) {
+      const auto value_of = [line](std::string_view name) {
+        return line.substr(0, name.size()) == name ? line.substr(name.size()) : std::string_view{};
+      };
+      if (const std::string_view format = value_of("FORMAT="); !format.empty()) {
+        has_format = true;
+        if (format != "32-bit_rle_rgbe") {
+          throw FileError("its format is " + printable(format) +
+                          ", and only 32-bit_rle_rgbe can be read; Radiance's ra_xyze converts it");
+        }
+      }
+      if (const std::string_view typed = value_of("EXPOSURE="); !typed.empty()) {
+        const std::string_view digits =
+            typed.substr(std::min(typed.find_first_not_of(" \t"), typed.size()));
+        exposure *= read_decimal(digits).value_or(0);
+        if (!(exposure >= 1e-30 && exposure <= 1e30))
+          damaged("the exposure " + printable(typed) + " is not a number from 1e-30 to 1e30");
+      }
+    }
+    if (!has_format) damaged("it states no format");
+    return exposure;
+  }
+
+  // The line of the picture's size: -Y, its height, +X, its width.
+  ImageSize resolution() {
+    const std::string_view line = take_line();
+    std::string_view left = line;
+    const auto take = [&left](std::string_view word) {
+      const bool there = left.substr(0, word.size()) == word;
+      if (there) left.remove_prefix(word.size());
+      return there;
+    };
+    const auto take_number = [&](std::uint32_t& number) {
+      const auto [end, error] = std::from_chars(left.data(), left.data() + left.size(), number);
+      if (error != std::errc()) return false;
+      left.remove_prefix(static_cast<std::size_t>(end - left.data()));
+      return true;
+    };
+    ImageSize size;
+    if (take("-Y ") && take_number(size.height) && take(" +X ") && take_number(size.width) &&
+        left.empty())
+      return size;
+    const bool other_way = line.size() > 2 && (line[0] == '+' || line[0] == '-') &&
+                           (line[1] == 'X' || line[1] == 'Y') && line.find("-Y") != 0;
+    if (other_way) {
+      throw FileError("its rows run as " + printable(line) +
+                      " says, and only -Y +X can be read; Radiance's ra_rgbe or pflip turns it");
+    }
+    damaged("its size " + printable(line) + " is not of the form -Y height +X width");
+  }
+
+  std::uint8_t take_byte(int row) {
+    if (rest_.empty()) ends_in(row);
+    const std::uint8_t byte = rest_[0];
+    rest_ = rest_.subspan(1);
+    return byte;
+  }
+  [[noreturn]] static void ends_in(int row) { damaged("it ends in row " + std::to_string(row)); }
+
+  void scanline(std::vector<Rgbe>& texels, int row) {
+    const std::size_t width = texels.size();
+    const bool may_be_new = width >= 8 && width <= 32767;
+    if (may_be_new && rest_.size() >= 4 && rest_[0] == 2 && rest_[1] == 2 && rest_[2] < 128) {
+      const std::size_t stated = big_endian_16(rest_, 2);
+      if (stated != width) {
+        damaged("row " + std::to_string(row) + " has " + std::to_string(stated) + " texels, not " +
+                std::to_string(width));
+      }
+      rest_ = rest_.subspan(4);
+      for (std::size_t channel = 0; channel < 4; ++channel) new_runs(texels, channel, row);
+    } else {
+      old_runs(texels, row);
+    }
+  }
+
+  // One channel of a row: a count up to 128 and so many bytes, or 128 more than a count and the
+  // byte that is repeated.
+  void new_runs(std::vector<Rgbe>& texels, std::size_t channel, int row) {
+    std::size_t x = 0;
+    while (x < texels.size()) {
+      const std::size_t code = take_byte(row);
+      const std::size_t count = code > 128 ? code - 128 : code;
+      if (count == 0 || count > texels.size() - x) {
+        damaged("a run of " + std::to_string(count) + " texels does not fit into row " +
+                std::to_string(row));
+      }
+      if (code > 128) {
+        const std::uint8_t value = take_byte(row);
+        for (std::size_t i = 0; i < count; ++i) texels[x++][channel] = value;
+      } else {
+        for (std::size_t i = 0; i < count; ++i) texels[x++][channel] = take_byte(row);
+      }
+    }
+  }
+
+  // Texels one by one. Mantissas 1, 1, 1 mean: the texel before, as often as the fourth byte says;
+  // several in a row are the bytes of one count, the lowest first.
+  void old_runs(std::vector<Rgbe>& texels, int row) {
+    std::size_t x = 0;
+    std::size_t shift = 0;
+    while (x < texels.size()) {
+      if (rest_.size() < 4) ends_in(row);
+      const Rgbe texel = {rest_[0], rest_[1], rest_[2], rest_[3]};
+      rest_ = rest_.subspan(4);
+      if (texel[0] != 1 || texel[1] != 1 || texel[2] != 1) {
+        texels[x++] = texel;
+        shift = 0;
+        continue;
+      }
+      const std::size_t count = std::size_t{texel[3]} << shift;
+      if (x == 0 || count > texels.size() - x || shift > 16) {
+        damaged("a run of " + std::to_string(count) + " texels does not fit into row " +
+                std::to_string(row));
+      }
+      std::fill_n(texels.begin() + static_cast<std::ptrdiff_t>(x), count, texels[x - 1]);
+      x += count;
+      shift += 8;
+    }
+  }
+
+  // A writer cuts mantissas off; the middle of what was cut off has no bias.
+  static Color<float> light_of(const Rgbe& texel, double exposure) {
+    if (texel[3] == 0) return {};
+    const double step = std::ldexp(1.0, texel[3] - 136) / exposure;
+    const auto channel = [step](std::uint8_t mantissa) {
+      const double light = mantissa == 0 ? 0 : (mantissa + 0.5) * step;
+      if (light > brightest_texel) {
+        throw FileError("a texel has " + shown(light, 3) + " of light, more than " +
+                        shown(brightest_texel, 3) + "; its EXPOSURE line may be wrong");
+      }
+      return static_cast<float>(light);
+    };
+    return {channel(texel[0]), channel(texel[1]), channel(texel[2])};
+  }
+
+  Bytes rest_;
+  std::size_t header_bytes_ = 0;
+};
+
+}  // namespace
+
+bool looks_like_hdr(Bytes file) {
+  const auto begins_with = [file](std::string_view word) {
+    return file.size() >= word.size() && std::equal(word.begin(), word.end(), file.begin());
+  };
+  return begins_with("#?RADIANCE\n") || begins_with("#?RGBE\n");
+}
+
+LightImage read_hdr(Bytes file, std::uint64_t most_texels) {
+  return Reader(file).read(most_texels);
+}
+
+}  // namespace texmap

@@ -1,0 +1,17 @@
+// From the bytes of a JPEG file to a picture.
+#pragma once
+#include "engine/files/bytes.hpp"
+#include "texture/image.hpp"
+
+namespace texmap {
+
+[[nodiscard]] bool looks_like_jpeg(Bytes file);
+
+/// The picture in a JPEG file. Checks its tables, its header and every code of every scan first.
+///
+/// @param file  a file that looks_like_jpeg
+/// Errors: FileError; std::bad_alloc.
+/// Source: ITU-T T.81, annexes B, C, F and G.
+[[nodiscard]] Image read_jpeg(Bytes file);
+
+}  // namespace texmap

@@ -1,0 +1,31 @@
+// Meshes from files in OBJ format (Wavefront).
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/files/file_error.hpp"
+#include "texture/mesh_mapping.hpp"
+
+namespace texmap {
+
+inline constexpr std::size_t max_mesh_bytes = std::size_t{64} << 20;
+inline constexpr std::size_t max_mesh_line = std::size_t{1} << 16;
+inline constexpr std::size_t max_mesh_triangles = std::size_t{1} << 21;
+inline constexpr double max_mesh_number = 1e30;
+
+/// The mesh that the text of an OBJ file describes. Reads v, vt and f, with polygons as fans and
+/// negative indices; ignores normals, groups and materials.
+///
+/// @param skipped  set to the other words that lines began with, such as "l, curv"; may be null
+/// Errors: FileError `line N: why`, for everything else: never a part of a mesh.
+/// Source: Wavefront, Advanced Visualizer manual, appendix B1 (1993).
+[[nodiscard]] TexturedMesh read_obj(std::string_view text, std::string* skipped = nullptr);
+
+/// The mesh in a file of 1 byte to 64 MiB.
+/// Errors: FileError `cannot load mesh 'F': why`; std::bad_alloc.
+[[nodiscard]] TexturedMesh load_obj(const std::filesystem::path& path,
+                                    std::string* skipped = nullptr);
+
+}  // namespace texmap

@@ -1,0 +1,216 @@
+// From the bytes of a PNG file to a picture. libdeflate or stb_image only inflates: stb_image's PNG
+// decoder checks no checksums, inflates without a limit and takes twice the memory
+// (docs/packages.md).
+#include "engine/files/read_png.hpp"
+
+#ifdef TEXMAP_HAVE_LIBDEFLATE
+#include <libdeflate.h>
+#else
+#include <stb_image.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/files/png_chunks.hpp"
+
+namespace texmap {
+namespace {
+
+// A picture is stored as one pass, or as seven, each with every so many of its columns and rows.
+struct Pass {
+  std::uint32_t first_column, first_row, column_step, row_step;
+};
+constexpr std::array<Pass, 1> whole_picture = {{{0, 0, 1, 1}}};
+constexpr std::array<Pass, 7> adam7 = {{{0, 0, 8, 8},
+                                        {4, 0, 8, 8},
+                                        {0, 4, 4, 8},
+                                        {2, 0, 4, 4},
+                                        {0, 2, 2, 4},
+                                        {1, 0, 2, 2},
+                                        {0, 1, 1, 2}}};
+
+std::span<const Pass> passes(const PngHeader& header) {
+  if (header.interlaced) return adam7;
+  return whole_picture;
+}
+
+struct PassSize {
+  std::size_t columns, rows, row_bytes;  // row_bytes without the byte of the filter
+};
+
+PassSize pass_size(const PngHeader& header, const Pass& pass) {
+  const auto count = [](std::uint32_t size, std::uint32_t first, std::uint32_t step) {
+    return size <= first ? 0 : (size - first + step - 1) / step;
+  };
+  const std::size_t columns = count(header.size.width, pass.first_column, pass.column_step);
+  const std::size_t rows = count(header.size.height, pass.first_row, pass.row_step);
+  if (columns == 0) return {0, 0, 0};
+  return {columns, rows, (columns * header.channels * header.bit_depth + 7) / 8};
+}
+
+// How many bytes a zlib stream unpacks to; -1 if it is damaged or they are too many.
+std::ptrdiff_t unpack(Bytes stream, std::span<std::uint8_t> to) {
+#ifdef TEXMAP_HAVE_LIBDEFLATE
+  // RFC 1950, section 2.2: two bytes say that it is deflate, without a dictionary. The checksum is
+  // compared later, so that an error can name it.
+  const std::uint32_t header = big_endian_16(stream, 0);
+  if (header % 31 != 0 || (header & 0x0F20U) != 0x0800U) return -1;
+  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
+      decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!decompressor) throw std::bad_alloc();
+  std::size_t made = 0;
+  const libdeflate_result result = libdeflate_deflate_decompress(
+      decompressor.get(), stream.data() + 2, stream.size() - 6, to.data(), to.size(), &made);
+  return result == LIBDEFLATE_SUCCESS ? static_cast<std::ptrdiff_t>(made) : -1;
+#else
+  return stbi_zlib_decode_buffer(reinterpret_cast<char*>(to.data()), static_cast<int>(to.size()),
+                                 reinterpret_cast<const char*>(stream.data()),
+                                 static_cast<int>(stream.size()));
+#endif
+}
+
+// Inflates the rows, all still filtered, into exactly as many bytes as the header promises.
+void inflate(Bytes compressed, std::span<std::uint8_t> rows) {
+  const std::ptrdiff_t made = unpack(compressed, rows);
+  const std::string promised = std::to_string(rows.size());
+  if (made < 0)
+    damaged_png("its pixels do not unpack to the " + promised + " bytes they should be");
+  if (static_cast<std::size_t>(made) != rows.size())
+    damaged_png("its pixels end after " + std::to_string(made) + " of " + promised + " bytes");
+  if (adler32(rows) != big_endian_32(compressed, compressed.size() - 4))
+    damaged_png("the checksum of its pixels is wrong");
+}
+
+std::uint8_t paeth(int left, int above, int corner) {
+  const int to_left = std::abs(above - corner);
+  const int to_above = std::abs(left - corner);
+  const int to_corner = std::abs(left + above - 2 * corner);
+  if (to_left <= to_above && to_left <= to_corner) return static_cast<std::uint8_t>(left);
+  return static_cast<std::uint8_t>(to_above <= to_corner ? above : corner);
+}
+
+// Undoes one row's filter. `pixel`: bytes of a pixel, at least 1. `above`: zeros for the first row.
+void unfilter(int filter, std::span<std::uint8_t> row, Bytes above, std::size_t pixel) {
+  const auto add = [&](const auto& guess) {
+    const std::size_t first = std::min(pixel, row.size());
+    for (std::size_t i = 0; i < first; ++i)
+      row[i] = static_cast<std::uint8_t>(row[i] + guess(0, above[i], 0));
+    for (std::size_t i = first; i < row.size(); ++i) {
+      row[i] =
+          static_cast<std::uint8_t>(row[i] + guess(row[i - pixel], above[i], above[i - pixel]));
+    }
+  };
+  if (filter == 1) add([](int left, int, int) { return left; });
+  if (filter == 2) add([](int, int up, int) { return up; });
+  if (filter == 3) add([](int left, int up, int) { return (left + up) / 2; });
+  if (filter == 4) add(paeth);
+  if (filter > 4) damaged_png("a row has filter " + std::to_string(filter));
+}
+
+// Makes pixels of an unfiltered row, each `step` places after the one before it.
+void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, std::size_t step) {
+  const std::size_t depth = png.header.bit_depth;
+  const std::size_t pixel = png.header.channels * depth / 8;
+  const auto put = [&](const auto& color_of) {
+    for (std::size_t i = 0; i < columns; ++i) out[i * step] = color_of(i);
+  };
+  if (pixel == sizeof(Rgb8) && step == 1) {
+    std::memcpy(out, row.data(), row.size());
+  } else if (png.header.channels == 1 && depth <= 8) {
+    const unsigned largest = (1U << depth) - 1;
+    put([&](std::size_t i) {
+      const std::size_t sample = row[i * depth / 8] >> (8 - depth - i * depth % 8) & largest;
+      if (png.header.color_type != 3) {
+        const auto grey = static_cast<std::uint8_t>(sample * (255 / largest));
+        return Rgb8{grey, grey, grey};
+      }
+      if (3 * sample >= png.palette.size()) {
+        damaged_png("a pixel has color " + std::to_string(sample) + " of a palette with " +
+                    std::to_string(png.palette.size() / 3) + " colors");
+      }
+      const Bytes color = png.palette.subspan(3 * sample, 3);
+      return Rgb8{color[0], color[1], color[2]};
+    });
+  } else {
+    // Of two bytes the first is the high one. Grey has its one channel three times.
+    const std::size_t next = png.header.channels < 3 ? 0 : depth / 8;
+    put([&](std::size_t i) {
+      const std::uint8_t* const at = &row[i * pixel];
+      return Rgb8{at[0], at[next], at[2 * next]};
+    });
+  }
+}
+
+}  // namespace
+
+bool looks_like_png(Bytes file) {
+  return file.size() >= png_signature.size() &&
+         std::equal(png_signature.begin(), png_signature.end(), file.begin());
+}
+
+Image read_png(Bytes file) {
+  const PngChunks png = read_png_chunks(file);
+  const PngHeader& header = png.header;
+  std::vector<std::uint8_t> joined;
+  if (png.compressed.size() > 1) {
+    joined.reserve(file.size());
+    for (const Bytes piece : png.compressed)
+      joined.insert(joined.end(), piece.begin(), piece.end());
+  }
+  const Bytes compressed = joined.empty() ? png.compressed[0] : joined;
+
+  std::size_t promised = 0;
+  for (const Pass& pass : passes(header)) {
+    const PassSize size = pass_size(header, pass);
+    promised += size.rows * (1 + size.row_bytes);
+  }
+  // One pass needs no memory of its own: its rows lie at the end of the picture's memory, and the
+  // pixels of a row end before the next row begins.
+  const std::size_t area = std::size_t{header.size.width} * header.size.height;
+  const std::size_t own_room = header.interlaced ? promised : 0;
+  const std::size_t shared_room =
+      header.interlaced ? area : std::max(area, promised / sizeof(Rgb8) + 1);
+  check_decoding_bytes(2 * file.size() + own_room + shared_room * sizeof(Rgb8));
+  // Two bytes of header, four of checksum, and deflate makes at most 1032 bytes out of one.
+  if (compressed.size() < 6 || promised / 1032 > compressed.size())
+    damaged_png("it has too few bytes for its size in pixels");
+
+  Image image;
+  image.width = static_cast<int>(header.size.width);
+  image.height = static_cast<int>(header.size.height);
+  image.pixels.resize(shared_room);
+  std::vector<std::uint8_t> own(own_room);
+  const std::span<std::uint8_t> shared(reinterpret_cast<std::uint8_t*>(image.pixels.data()),
+                                       shared_room * sizeof(Rgb8));
+  std::span<std::uint8_t> rest = header.interlaced ? own : shared.last(promised);
+  inflate(compressed, rest);
+
+  const std::size_t pixel = std::max(1U, header.channels * header.bit_depth / 8);
+  for (const Pass& pass : passes(header)) {
+    const PassSize size = pass_size(header, pass);
+    std::vector<std::uint8_t> row(size.row_bytes);
+    std::vector<std::uint8_t> above(size.row_bytes);
+    for (std::size_t r = 0; r < size.rows; ++r) {
+      std::copy_n(&rest[1], size.row_bytes, row.begin());
+      unfilter(rest[0], row, above, pixel);
+      rest = rest.subspan(1 + size.row_bytes);
+      Rgb8& first = image.at(static_cast<int>(pass.first_column),
+                             static_cast<int>(pass.first_row + r * pass.row_step));
+      put_row(png, row, size.columns, &first, pass.column_step);
+      row.swap(above);
+    }
+  }
+  image.pixels.resize(area);
+  return image;
+}
+
+}  // namespace texmap

@@ -1,0 +1,18 @@
+// From the bytes of a PNG file to a picture.
+#pragma once
+#include "engine/files/bytes.hpp"
+#include "texture/image.hpp"
+
+namespace texmap {
+
+[[nodiscard]] bool looks_like_png(Bytes file);
+
+/// The picture in a PNG file, every byte of it checked; alpha and transparency are dropped.
+///
+/// @param file  a file that looks_like_png
+/// Errors: FileError, also if the zlib stream is shorter or longer than the header says;
+/// std::bad_alloc.
+/// Source: PNG specification, third edition, sections 7 to 9.
+[[nodiscard]] Image read_png(Bytes file);
+
+}  // namespace texmap

@@ -1,0 +1,29 @@
+// The option --budget.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "engine/fast/budget.hpp"
+#include "engine/run/command_line.hpp"
+
+namespace texmap {
+
+/// The budget that a user typed. Errors: UsageError.
+[[nodiscard]] inline Budget read_budget(std::string_view typed) {
+  try {
+    return parse_budget(typed);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--budget: " + std::string(error.what()));
+  }
+}
+
+/// Offers the option for `budget`.
+inline void offer_budget(CommandLine& line, Budget& budget, std::string_view help) {
+  line.add("--budget", "BUDGET", help, to_text(budget),
+           [&budget](const std::string&, std::string_view typed) {
+             budget = read_budget(typed);
+             return true;
+           });
+}
+
+}  // namespace texmap

@@ -1,0 +1,107 @@
+// Draws lessons that gather light, up to a number of samples, a time or an error.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "engine/draw/develop.hpp"
+#include "engine/draw/draw.hpp"
+#include "engine/files/system.hpp"
+#include "engine/run/command_line.hpp"
+#include "engine/run/sampling_options.hpp"
+#include "engine/run/session.hpp"
+
+namespace texmap {
+
+/// Gathers `samples` samples per pixel with the pattern of that number.
+using GatherPattern = std::function<Film(int samples, std::uint32_t pattern)>;
+
+/// All samples that the options ask for: one pattern or, with a limit, pairs of independent
+/// patterns that double in size. The difference of a pair estimates the error.
+///
+/// @param most          samples per pixel
+/// @param error_so_far  set after each pair
+/// Errors: UsageError if `most` is too small for a limit or too large for a pattern.
+[[nodiscard]] Film gather_within_limits(const SamplingOptions& options, int most,
+                                        std::atomic<double>& error_so_far,
+                                        const GatherPattern& gather);
+
+/// The error in the progress line; empty for +infinity.
+[[nodiscard]] std::string remark_on_error(double error);
+
+/// The sentence about a film's samples and its error.
+[[nodiscard]] std::string describe_error(const Film& film, const SamplingOptions& options);
+
+/// A lesson's objects with the paints of a plan; in programs for learning, as they are.
+template <class Lesson>
+[[nodiscard]] decltype(auto) objects_to_draw(const KernelPlan& plan, const Lesson& lesson) {
+  if constexpr (all_numbers) {
+    return planned_objects(plan, lesson.objects);
+  } else {
+    return (lesson.objects);
+  }
+}
+
+/// The kernels that a budget allows for a paint with a texture of light.
+///
+/// @param reads  how many texels the picture reads
+template <class Mapping>
+[[nodiscard]] KernelPlan plan_for(const Mapped<Mapping, LightTexture>& paint, const Budget& budget,
+                                  double reads) {
+  return plan_surface(budget, paint.texture.image, reads);
+}
+/// For all other paints the reference formulas.
+template <class Paint>
+[[nodiscard]] KernelPlan plan_for(const Paint& /*paint*/, const Budget& /*budget*/,
+                                  double /*reads*/) {
+  return {};
+}
+
+/// Gathers a lesson's light, saves the picture, and prints the kernels and the error.
+template <class Lesson>
+void show_gathered(Session& session, const Lesson& lesson, const std::string& suffix = "") {
+  const Settings& settings = session.settings;
+  const SamplingOptions& options = lesson.sampling;
+  const bool limited = options.time_limit > 0 || options.target_error > 0;
+  const int most = limited && !session.chosen.was_given("--samples") ? 1 << 20 : settings.samples;
+  const double reads = double{1} * settings.width * settings.height * most;
+  if (!settings.budget.is_exact() && lesson.objects.size() > 1)
+    throw UsageError("--budget is for a lone object, which lights no other: add --scene book");
+  const KernelPlan plan = plan_for(lesson.objects.front().paint, settings.budget, reads);
+  if (session.chosen.was_given("--budget")) session.chosen.say(plan.text);
+  const bool float_packs = plan.floats_are_enough && !session.chosen.was_given("--number");
+  const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
+  const auto& objects = objects_to_draw(plan, lesson);
+  const View<> view = session.view(lesson.stage.camera, settings.width, settings.height);
+
+  std::atomic<double> error_so_far = infinity<double>();
+  session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
+  std::string sentence;
+  const Image image = session.timed(0, [&](RenderSettings render_settings) {
+    Image picture;
+    if (!limited) {  // each row is developed when it is complete
+      picture = Image(settings.width, settings.height);
+      render_settings.error_so_far = [&error_so_far](double error) { error_so_far = error; };
+      render_settings.take_row = [&](int row, const Rgb* light) {
+        develop_row(light, options.transfer, picture, row);
+      };
+    }
+    const Film film =
+        gather_within_limits(options, most, error_so_far, [&](int samples, std::uint32_t pattern) {
+          const auto bounds =
+              bounds_of_view(objects, lesson.stage.sky, options.lens, plan.smoothing, samples);
+          return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)}, bounds,
+                        number, render_settings);
+        });
+    session.count_rays(static_cast<double>(settings.width) * settings.height *
+                       static_cast<double>(film.samples()));
+    sentence = describe_error(film, options);
+    return limited ? develop(film, options.transfer, settings.threads) : std::move(picture);
+  });
+  session.remark = {};
+  if (!settings.quiet) print(sentence);
+  session.save(image, suffix);
+}
+
+}  // namespace texmap

@@ -1,0 +1,44 @@
+// The options of chapters with a mesh: --degrees, --weights, --mesh, and those of UvOptions.
+#pragma once
+#include <string>
+
+#include "engine/draw/kinds.hpp"
+#include "engine/draw/lesson.hpp"
+#include "engine/run/uv_options.hpp"
+#include "published/mesh_weights.hpp"
+#include "texture/mesh_mapping.hpp"
+
+namespace texmap {
+
+class Chosen;
+struct Offer;
+
+/// Where the weights of a triangle's corners come from.
+enum class WeightsFormula {
+  signed_areas,  ///< of the ray and the edges
+  heron,         ///< the triangle article: areas from side lengths
+};
+
+/// The user's choices of a mesh and of what its corners' (u, v) mean.
+struct MeshOptions {
+  double degrees = -25;  ///< turn of the mesh about +y
+  WeightsFormula weights = WeightsFormula::signed_areas;
+  std::string file;  ///< in OBJ format; empty for the crate
+  UvOptions uv{.look_up = {{Wrap::mirror}}};
+
+  void declare(Offer& offer);
+  /// The crate or the file's mesh, as large and turned, on a floor; says what it left out.
+  /// Errors: FileError with the file and the line.
+  [[nodiscard]] TexturedMesh load(const Chosen& chosen) const;
+
+  /// The hit with the weights of the chosen formula.
+  template <class Real>
+  [[nodiscard]] MeshHit<Real> weighted(const Mesh& mesh, const MeshHit<Real>& hit) const {
+    return weights == WeightsFormula::heron ? published::weighted_by_heron(mesh, hit) : hit;
+  }
+};
+
+/// The base of a lesson with a mesh.
+struct MeshLesson : LessonHooks, HasMesh {};
+
+}  // namespace texmap

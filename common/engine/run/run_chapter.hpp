@@ -1,0 +1,161 @@
+// Runs a chapter: reads its command line, draws its lesson, saves the picture.
+#pragma once
+#include <concepts>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include "engine/draw/draw.hpp"
+#include "engine/draw/lesson_surfaces.hpp"
+#include "engine/draw/number_names.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/run/command_line.hpp"
+#include "engine/run/gather_session.hpp"
+#include "engine/run/planned_highlight.hpp"
+#include "engine/run/session.hpp"
+#include "engine/run/turntable.hpp"
+#include "scene/sphere_choice.hpp"
+
+namespace texmap {
+
+template <class Lesson>
+Image Session::draw(const Lesson& lesson, int width, int height) {
+  if constexpr (HasSurfaces<Lesson>) {
+    if (settings.show != Shown::color) {
+      return timed(static_cast<double>(width) * height, [&](RenderSettings render_settings) {
+        render_settings.samples = 1;  // through the center of each pixel
+        const View<> seen = view(lesson.stage.camera, width, height);
+        const SurfaceColors<Lesson> surfaces{lesson, settings.show};
+        if constexpr (has_only_double<Lesson>) {
+          return render<double>(surfaces, seen, render_settings);
+        } else {  // packs would draw the same, so single numbers do
+          const NumberKind number = settings.number;
+          return draw_single(surfaces, seen, is_float(number) ? NumberKind::float_ : number,
+                             render_settings);
+        }
+      });
+    }
+  }
+  return timed(static_cast<double>(width) * height * settings.samples,
+               [&](const RenderSettings& render_settings) -> Image {
+                 const View<> seen = view(lesson.stage.camera, width, height);
+                 if constexpr (std::derived_from<Lesson, GathersLight>) {
+                   throw std::logic_error("light is gathered, see show_gathered");
+                 } else {
+                   return texmap::draw(lesson, seen, settings.number, render_settings);
+                 }
+               });
+}
+
+/// Draws and saves one picture of a lesson.
+template <class Lesson>
+void show_picture(Session& session, const Lesson& lesson, const std::string& suffix = "") {
+  if constexpr (std::derived_from<Lesson, GathersLight>) {
+    if (session.settings.show == Shown::color) return show_gathered(session, lesson, suffix);
+  }
+  session.save(session.draw(lesson), suffix);
+}
+
+/// Lessons with a list of spheres, for which the user may choose formulas.
+template <class Lesson>
+concept HasSpheres = requires(const Lesson& lesson) {
+  lesson.objects.front().shape.form;
+};
+
+/// What a program of a lesson offers its user: first the options of the lesson's groups.
+template <class Lesson>
+[[nodiscard]] Offer offer_of(Lesson& lesson, CommandLine& line) {
+  Offer offer{.line = line,
+              .camera = !std::derived_from<Lesson, SheetLesson>,
+              .spheres = HasSpheres<Lesson>,
+              .surfaces = HasSurfaces<Lesson>,
+              .one_number = !all_numbers};
+  lesson.options().declare(offer);
+  return offer;
+}
+
+/// Gives a lesson's spheres the formula that the user chose, or that they need.
+template <class Lesson>
+void choose_spheres(const Chosen& chosen, Lesson& lesson) {
+  if constexpr (HasSpheres<Lesson>) {
+    if (chosen.was_given("--spheres"))
+      for (auto& object : lesson.objects) object.shape.form = chosen.settings.spheres;
+    const bool in_float = is_float(chosen.settings.number);
+    keep_to_domains(
+        lesson.objects, lesson.stage.camera.eye,
+        in_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits);
+  }
+}
+
+/// Makes a lesson what the user chose.
+template <class Lesson>
+void build(Lesson& lesson, Chosen& chosen) {
+  lesson.build(chosen);
+  choose_spheres(chosen, lesson);
+}
+
+template <class Lesson>
+void Session::draw_all(Lesson& lesson) {
+  Turntable* turn = chosen.turntable;
+  if (turn == nullptr || turn->frames == 0) return show_picture(*this, lesson);
+  for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
+  for (turn->frame = 0; turn->frame < turn->frames; ++turn->frame) {
+    build(lesson, chosen);
+    show_picture(*this, lesson, frame_suffix(turn->frame));
+  }
+}
+
+/// Which hooks a lesson overrides: `&Lesson::hook` is else a member of the base.
+template <class Lesson>
+inline constexpr bool has_options =
+    !std::is_same_v<decltype(&Lesson::options), Groups (LessonHooks::*)()>;
+template <class Lesson>
+inline constexpr bool has_build =
+    !std::is_same_v<decltype(&Lesson::build), void (LessonHooks::*)(Chosen&)>;
+template <class Lesson>
+inline constexpr bool draws_itself =
+    !std::is_same_v<decltype(&Lesson::draw_all), void (LessonHooks::*)(Session&)>;
+
+/// Draws and saves what a lesson shows.
+template <class Lesson>
+void draw_and_save(Lesson& lesson, Session& session) {
+  if constexpr (draws_itself<Lesson>) {
+    lesson.draw_all(session);
+  } else {
+    session.draw_all(lesson);
+  }
+}
+
+/// A chapter's main program: reads what the user chose, builds the lesson, draws and saves.
+///
+/// @param chapter  its folder's name, such as 02_checkerboard_uv
+/// @tparam Lesson  derived from LessonHooks, with a static `about`, a `stage` with a camera, and an
+///                 operator()(Ray) that returns a Color; a PathLesson has one for a sample's path
+template <class Lesson>
+[[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
+  static_assert(std::is_base_of_v<LessonHooks, Lesson>,
+                "a lesson begins with `struct Lesson : LessonHooks`");
+  static_assert(
+      requires { Lesson::about.idea; },
+      "a lesson says what it is about: static constexpr About about{.idea = ...}");
+  static_assert(!has_options<Lesson> || has_build<Lesson> || draws_itself<Lesson>,
+                "a lesson with `options` uses them in `void build(Chosen& chosen) override`: is "
+                "that what it says?");
+  static_assert(!std::derived_from<Lesson, GathersLight> || HasSpheres<Lesson>,
+                "light is gathered from spheres alone: a PathLesson has a list of Painted<Paint> "
+                "in `objects`. Other shapes are for lessons like those of 01 to 06");
+  expect_little_memory();
+  CommandLine line(chapter, Lesson::about.idea);
+  return run_guarded(line, [&] {
+    Lesson lesson;
+    Chosen chosen(chapter, offer_of(lesson, line), Lesson::about);
+    if (!line.parse(argc, argv)) return;
+    chosen.check();
+    build(lesson, chosen);
+    Session session(chosen);
+    draw_and_save(lesson, session);
+  });
+}
+
+}  // namespace texmap

@@ -1,9 +1,0 @@
-# Comparing pictures: the figures, the map, and the program. Included by CMakeLists.txt here.
-
-add_suite(engine/compare/test_difference ON test_support LABELS compare)
-add_suite(engine/compare/test_known_mistakes ON compare app LABELS compare)
-add_suite(engine/compare/test_diagnose POSIX ON compare app RUNS DIAGNOSE diagnose LABELS compare)
-if(NOT TEXMAP_INSTRUMENT)  # 32 s of processor time, ten times as many with instruments
-  add_suite(engine/compare/test_draw_mistakes ON compare app RUNS DRAW_MISTAKES draw_mistakes LABELS compare)
-endif()
-add_suite(engine/compare/test_compare_program POSIX ON compare RUNS COMPARE compare_program LABELS compare)

@@ -1,0 +1,111 @@
+// Loading a texture: what must load, what must not, and how it says so.
+#include <doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "engine/files/bytes.hpp"
+#include "engine/files/decode_image.hpp"
+#include "engine/files/load_image.hpp"
+#include "support/sha256.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using texmap::Image;
+using texmap::load_image;
+using texmap::test::bytes_of;
+using texmap::test::image_error_of;
+
+const std::string corpus = std::string(TEXMAP_TESTS_DIR) + "/corpus/";
+
+std::string sum_of_pixels(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  for (const texmap::Rgb8 pixel : image.pixels)
+    bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
+  return texmap::test::sha256(bytes);
+}
+
+std::string error_of_loading(const std::string& path) {
+  return image_error_of([&] { static_cast<void>(load_image(path)); });
+}
+
+}  // namespace
+
+TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
+  std::ifstream manifest(corpus + "manifest.tsv");
+  std::string line;
+  std::getline(manifest, line);
+  REQUIRE(line == "file\tsha256\texpected\twhy\twidth\theight\tbytes\tsplit\tlevel\trgb8_sha256");
+  int loaded = 0, refused = 0;
+  while (std::getline(manifest, line)) {
+    CAPTURE(line);
+    std::array<std::string, 10> fields;
+    std::istringstream row(line);
+    for (std::string& field : fields) REQUIRE(std::getline(row, field, '\t'));
+    const auto& [file, sum, expected, why, width, height, bytes, split, level, pixels] = fields;
+    const std::string path = corpus + file;
+    REQUIRE(texmap::test::sha256(bytes_of(path)) == sum);
+    if (expected == "load") {
+      Image image;
+      REQUIRE_NOTHROW(image = load_image(path));
+      CHECK(std::to_string(image.width) == width);
+      CHECK(std::to_string(image.height) == height);
+      if (pixels != "-") CHECK(sum_of_pixels(image) == pixels);
+      ++loaded;
+    } else {
+      const std::string said = error_of_loading(path);
+      INFO("said: ", said);
+      CHECK(said.find("cannot load texture '" + path + "': ") == 0);
+      CHECK(said.size() > path.size() + 33);
+      CHECK(said.find('\n') == std::string::npos);
+      ++refused;
+    }
+  }
+  CHECK(loaded == 31);
+  CHECK(refused == 39);
+}
+
+// What damaged.tsv does not have.
+TEST_CASE("an error names the thing that is wrong") {
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"bad_chunklen_ffffffff.png", "IDAT chunk should have 4294967295 bytes"},
+      {"bad_jpg_12bit.jpg", "12 bits a channel"},
+      {"bad_jpg_2comp.jpg", "2 color channels"},
+      {"bad_jpg_trunc_half.jpg", "cut short"},
+      {"bad_one_byte.png", "not a PNG or JPEG file"},
+      {"fmt_html.jpg", "not a PNG or JPEG file"},
+  };
+  for (const auto& row : table) {
+    const std::string said = error_of_loading(corpus + row.first);
+    CAPTURE(row.first);
+    INFO("said: ", said);
+    CHECK(said.find(row.second) != std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "every file of the corpus cut anywhere is refused, and so is a PNG file with a bit turned") {
+  for (const std::string file : {"png_pal8_trns.png", "png_adam7_pal4_3x5.png",
+                                 "png_rgb8_1x257.png", "jpg_420.jpg", "jpg_restart.jpg"}) {
+    const std::vector<std::uint8_t> whole = bytes_of(corpus + file);
+    REQUIRE_NOTHROW(static_cast<void>(texmap::decode_image(whole)));
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+      CAPTURE(file);
+      CAPTURE(length);
+      CHECK_THROWS_AS(static_cast<void>(texmap::decode_image(texmap::Bytes(whole).first(length))),
+                      texmap::FileError);
+    }
+  }
+  const std::vector<std::uint8_t> whole = bytes_of(corpus + "png_pal8_short5.png");
+  for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+    std::vector<std::uint8_t> bytes = whole;
+    bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+    CAPTURE(bit);
+    CHECK_THROWS_AS(static_cast<void>(texmap::decode_image(bytes)), texmap::FileError);
+  }
+}

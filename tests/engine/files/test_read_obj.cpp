@@ -1,0 +1,95 @@
+// Tests of engine/files/read_obj.hpp: a file loads whole, or an error names the line.
+#include <doctest.h>
+
+#include <sstream>
+
+#include "engine/files/read_obj.hpp"
+#include "engine/files/text.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// The file that a line of meshes.tsv stands for, which says how it is written.
+std::string file_of(std::string text) {
+  const std::string face = "f 1/1 2/2 3/3\n";
+  std::string faces;
+  for (int i = 0; i < 1000; ++i) faces += face;
+  for (const auto& [word, lines] : std::vector<std::pair<std::string, std::string>>{
+           {"{square}", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"},
+           {"{face}", face},
+           {"{faces}", faces},
+           {"{long}", std::string(1 << 20, 'x')}}) {
+    const std::size_t at = text.find(word);
+    if (at != std::string::npos) text.replace(at, word.size(), lines);
+  }
+  std::string file;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string letters = "nrt";
+    const std::size_t letter = text[i] == '\\' ? letters.find(text[++i]) : letters.size();
+    if (letter < letters.size()) {
+      file += "\n\r\t"[letter];
+    } else if (letter == std::string::npos && text[i] == 'x') {
+      file += static_cast<char>(std::stoi(text.substr((i += 2) - 1, 2), nullptr, 16));
+    } else {
+      file += text[i];
+    }
+  }
+  return file;
+}
+
+TEST_CASE(
+    "a file loads with all points and triangles, or is refused with its line and the reason") {
+  int loaded = 0, refused = 0;
+  std::istringstream lines(text_in(TEXMAP_TESTS_DIR "/corpus/meshes.tsv"));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t tab = line.find('\t');
+    if (tab == std::string::npos) continue;
+    CAPTURE(line);
+    const std::string should = line.substr(0, tab);
+    TexturedMesh read;
+    const std::string error =
+        image_error_of([&] { read = read_obj(file_of(line.substr(tab + 1))); });
+    if (should.ends_with("triangles")) {
+      const std::size_t points = read.mesh.points.size(), triangles = read.mesh.triangles.size();
+      CHECK(text("%zu points, %zu triangles", points, triangles) == should);
+      CHECK(read.mapping.corners.size() == triangles);
+      ++loaded;
+    } else {
+      CHECK(error.substr(0, should.size()) == should);
+      CHECK(error.size() < 160);
+      ++refused;
+    }
+  }
+  CHECK(loaded >= 15);
+  CHECK(refused >= 40);
+}
+
+TEST_CASE("what is no textured triangle is skipped and named once, but no call of another file") {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+  std::string skipped = "old";
+  CHECK_NOTHROW(static_cast<void>(read_obj("g a\nvn 0 0 1\n" + triangle, &skipped)));
+  CHECK(skipped.empty());
+  const std::string curved = "p 1\nl 1 2\ncurv2 1 2\ncurv 0 1 1 2\nl 2 3\nend\n";
+  CHECK(read_obj(triangle + curved, &skipped).mesh.triangles.size() == 1);
+  CHECK(skipped == "p, l, curv2, curv, end");
+  CHECK_THROWS_AS(static_cast<void>(read_obj(triangle + "call a.obj\n")), FileError);
+}
+
+TEST_CASE("numbers, indices and fans arrive as they are in the file") {
+  const TexturedMesh read = read_obj(
+      "v 0 0 0\nv 1.5 -2e-3 3\nv 4 5 6\nv 7 8 9\nvt 0.25 0.5\nvt -1 2\n"
+      "f 1/1 2/2 3/1 4/2\nf -1/-1/7 -2/-2/7 -3/-1/7\n");
+  CHECK(read.mesh.points[1].x == 1.5);
+  CHECK(read.mesh.points[1].y == -2e-3);
+  CHECK(read.mesh.triangles[0] == std::array{0, 1, 2});
+  CHECK(read.mesh.triangles[1] == std::array{0, 2, 3});
+  CHECK(read.mesh.triangles[2] == std::array{3, 2, 1});
+  CHECK(read.mapping.corners[0][1].u == -1);
+  CHECK(read.mapping.corners[1][0].u == 0.25);
+  CHECK(read.mapping.corners[2][0].v == 2);
+  CHECK(read.mapping.corners[2][1].v == 0.5);
+}
+
+}  // namespace
+}  // namespace texmap::test

@@ -1,3 +1,0 @@
-// The tests of box_tree.hpp where the compiler has no vector types: four floats are an array.
-#define TEXMAP_NO_VECTOR_TYPES
-#include "engine/mesh/test_box_tree.cpp"

@@ -1,0 +1,44 @@
+# The suites of what makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/. Included by tests/CMakeLists.txt.
+
+file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" number/test_*.cpp engine/files/test_*.cpp
+  engine/fast/test_*.cpp engine/draw/test_*.cpp engine/run/test_*.cpp engine/compare/test_interleaved.cpp)
+list(TRANSFORM suites REPLACE "[.]cpp$" "")
+list(FILTER suites EXCLUDE REGEX "number/test_number|test_fetched|test_certainty_map|test_session_line")
+if(NOT WIN32)
+  list(REMOVE_ITEM suites engine/files/test_windows_files)
+endif()
+foreach(suite IN LISTS suites)
+  set(posix "")
+  if(suite MATCHES "posix_files|find_texture")  # changes the environment, makes links
+    set(posix POSIX)
+  endif()
+  add_suite(${suite} ${posix} ON compare run LABELS common)
+endforeach()
+target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
+target_link_libraries(test_save_png PRIVATE stb_image)
+add_suite(engine/run/test_session_line ON files LABELS common)
+target_compile_definitions(test_session_line PRIVATE TEXMAP_BIN="$<TARGET_FILE_DIR:05_y_rotation>/")
+if(NOT TEXMAP_LEARN)
+  target_compile_definitions(test_session_line PRIVATE TEXMAP_ALL_NUMBERS)
+endif()
+add_dependencies(test_session_line 05_y_rotation 07_earth_by_sampling 09_texture_filtering 11_bump_and_normal_maps)
+add_suite(engine/draw/test_certainty_map ON run LABELS extremes)
+
+# The kernels' coefficients against the program that fits them.
+if(TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64")  # the fit needs an 80-bit long double
+  add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
+  target_link_libraries(check_kernels PRIVATE project_options)
+  add_test(NAME kernel_coefficients COMMAND check_kernels --check "${CMAKE_SOURCE_DIR}/common/engine/fast/coefficients.hpp")
+endif()
+
+# Each look-up instruction's own program: it has no other code, and does not run where the machine lacks the instructions.
+foreach(instructions IN LISTS WIDE_PACKS)
+  set(suite test_fetched_${instructions})
+  add_executable(${suite} engine/fast/test_fetched.cpp)
+  target_include_directories(${suite} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${suite} PRIVATE project_options draw)
+  target_compile_options(${suite} PRIVATE ${wide_${instructions}})
+  set_target_properties(${suite} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  add_check(${suite} common ${suite} ${instructions} WITH SKIP_RETURN_CODE 77)
+  add_dependencies(suites_common ${suite})
+endforeach()

@@ -1,0 +1,89 @@
+# Lessons as their writers may write them, and what the compiler says of their mistakes. Included by tests/CMakeLists.txt.
+
+add_suite(lessons/test_lessons ON run LABELS lessons)
+
+# The changes that docs/how_to_change_things.md describes, applied to the chapters' own lessons.
+if(PYTHON3)
+  set(changes can fifth_sphere float_mapping int_stripes marble moved own_mapping own_texture plain plane second_picture stripes tiles)
+  set(change_page "${CMAKE_SOURCE_DIR}/docs/how_to_change_things.md")
+  list(TRANSFORM changes REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/changes/\\1.hpp" OUTPUT_VARIABLE change_headers)
+  add_custom_command(OUTPUT ${change_headers}
+    COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/changed.py" "${change_page}" "${TEXMAP_CHAPTERS}"
+      "${CMAKE_CURRENT_BINARY_DIR}/changes" ${changes}
+    DEPENDS "${change_page}" lessons/changed.py "${TEXMAP_CHAPTERS}/01_plain_spheres/lesson.hpp"
+      "${TEXMAP_CHAPTERS}/02_checkerboard_uv/lesson.hpp" "${TEXMAP_CHAPTERS}/03_image_texture/lesson.hpp"
+    COMMENT "Changing lessons as docs/how_to_change_things.md says" VERBATIM)
+  add_suite(lessons/test_changes ON run LABELS lessons pages)
+  target_sources(test_changes PRIVATE ${change_headers})
+  target_include_directories(test_changes PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
+endif()
+
+# Right lessons in plain C++, as students hand them in, made of the chapters' own: the chapters' tests with those lessons.
+function(add_handed_in chapter text must_have)
+  if(NOT text MATCHES "${must_have}")  # somebody changed the lesson
+    if(TEXMAP_WERROR)
+      message(FATAL_ERROR "the lesson of ${chapter} cannot be made one in plain C++")
+    endif()
+    message(STATUS "the lesson of ${chapter} is another one: its suite in plain C++ is left out")
+    return()
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${TEXMAP_CHAPTERS}/${chapter}/lesson.hpp")
+  file(CONFIGURE OUTPUT handed_in/${chapter}/lesson.hpp CONTENT "${text}" @ONLY)
+  configure_file(chapters/test_${chapter}.cpp handed_in_${chapter}.cpp COPYONLY)
+  add_suite(${CMAKE_CURRENT_BINARY_DIR}/handed_in_${chapter} ON run chapters_code test_support LABELS lessons)
+  target_include_directories(handed_in_${chapter} BEFORE PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/handed_in")
+endfunction()
+
+# Chapter 02 by the textbook's formulas. Who learns has one number, and no reason to say that std::acos has no packs.
+file(READ "${TEXMAP_CHAPTERS}/02_checkerboard_uv/lesson.hpp" lesson)
+string(REPLACE "#include <vector>" "#include <algorithm>\n#include <cmath>\n#include <numbers>\n#include <vector>" lesson "${lesson}")
+string(REPLACE "using Checkered = Mapped<RtiowMapping" [[
+struct TextbookMapping {
+  template <class Real>
+  Uv<Real> operator()(const Vec3<Real>& p) const {
+    const Real pi = std::numbers::pi_v<Real>;
+    Real u = std::atan2(-p.z, p.x) / (2 * pi) + Real(0.5);
+    if (u >= 1) u = 0;
+    return {u, std::acos(std::clamp(-p.y, Real(-1), Real(1))) / pi};
+  }
+};
+using Checkered = Mapped<TextbookMapping]] lesson "${lesson}")
+add_handed_in(02_checkerboard_uv "${lesson}" "<numbers>.*Mapped<TextbookMapping")
+if(TARGET handed_in_02_checkerboard_uv)
+  target_compile_definitions(handed_in_02_checkerboard_uv PRIVATE TEXMAP_LEARN)
+endif()
+# Chapter 04 in double alone.
+file(READ "${TEXMAP_CHAPTERS}/04_uv_conventions/lesson.hpp" lesson)
+string(REPLACE "  template <class Real>\n" "" lesson "${lesson}")
+string(REPLACE "<Real>" "<double>" lesson "${lesson}")
+string(REPLACE "\"sheet.hpp\"" "\"04_uv_conventions/sheet.hpp\"" lesson "${lesson}")
+string(REPLACE "  };\n\n  Stage" "      .numbers = Numbers::only_double,\n  };\n\n  Stage" lesson "${lesson}")
+add_handed_in(04_uv_conventions "${lesson}" "only_double.*<double>")
+
+# A lesson that must not compile, by its number, and what the first error must say, in the build for learning and in the other one.
+if(TAKES_GNU_OPTIONS)
+  set(misspelt_hook "biuld.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|biuld.*override")
+  set(misspelt_fact "no non-static data member named .*idae|field designator 'idae'")
+  set(no_hooks "a lesson begins with")
+  set(no_facts "a lesson says what it is about")
+  set(call_that_is_not_const "a lesson is called with a Ray<Real>, from many threads.*is its operator.. const")
+  set(vector_as_color "an object's color must be a Color<Real>: of a Vec3 p it is")
+  set(texture_of_numbers "a texture .* returns no Color<Real> such as gray.x.")
+  set(branch_in_packs "a pack of numbers has no single value for `if`.*Numbers::single")
+  set(branch_in_intervals "may be both true and false, which `if` .*Numbers::single")
+  set(forgotten_build "a lesson with `options` uses them in")
+  set(wave_in_intervals "intervals have no sin.*Numbers::no_intervals")
+  set(number 0)
+  foreach(mistake misspelt_hook misspelt_fact no_hooks no_facts call_that_is_not_const vector_as_color texture_of_numbers
+      branch_in_packs branch_in_intervals wave_in_intervals forgotten_build)
+    math(EXPR number "${number} + 1")
+    foreach(build TEXMAP_LEARN ALL_NUMBERS)
+      if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
+        continue()
+      endif()
+      add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -Wfatal-errors
+        -D${build} "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp"
+        WITH PASS_REGULAR_EXPRESSION "${${mistake}}")
+    endforeach()
+  endforeach()
+endif()
