@@ -30,6 +30,7 @@ struct Mapped {
   template <template <class> class AnyHit, class Real>
   [[nodiscard]] Color<Real> operator()(const AnyHit<Real>& hit) const {
     const auto uv = uv_at(mapping, hit);
+    static_assert(std::is_same_v<decltype(uv), const Uv<Real>>, "a mapping returns a Uv<Real>");
     static_assert(
         Gives<Texture, decltype(uv), Color<Real>>,
         "a texture cannot be called with (u, v) in this number, or returns no Color<Real> such as "

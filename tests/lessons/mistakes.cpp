@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/run/run_chapter.hpp"
+#include "engine/run/sampling_options.hpp"
 #include "engine/run/texture_file.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
@@ -71,6 +72,88 @@ struct Lesson : LessonHooks, Base {
   TextureFile texture{"earth.png"};
   Groups options() override { return {texture}; }
   void biuld(Chosen&) {}
+};
+#elif MISTAKE == 12
+struct Lesson : LessonHooks {
+  static constexpr About about{.idea = "nothing is drawn"};
+  Stage stage;
+};
+#elif MISTAKE == 13
+struct Lesson : LessonHooks {
+  static constexpr About about{.idea = "a sky"};
+  Stage scene;
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return scene.sky(ray);
+  }
+};
+#elif MISTAKE == 14
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a sheet"};
+  void draw_all(Chosen&) override {}
+};
+#elif MISTAKE == 15
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "options that nobody keeps"};
+  Groups options() override { return {TextureFile{"earth.png"}}; }
+  void build(Chosen&) override {}
+};
+#elif MISTAKE == 16
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "options that nobody declares"};
+  struct Sizes {
+    double radius = 1;
+  } sizes;
+  Groups options() override { return {sizes}; }
+  void build(Chosen&) override {}
+};
+#elif MISTAKE == 17
+struct Striped {
+  template <class Real>
+  Color<Real> color(const Hit<Real>& hit) const {
+    return gray(hit.point.x);
+  }
+};
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a paint"};
+  AnyOf<Solid, Striped> paint{Striped{}};
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return paint(Hit<Real>{.normal = ray.direction});
+  }
+};
+#elif MISTAKE == 18
+struct Latitudes {
+  template <class Real>
+  Real operator()(const Vec3<Real>& normal) const {
+    return normal.y;
+  }
+};
+struct White {
+  template <class Real>
+  Color<Real> operator()(const Uv<Real>&) const {
+    return gray(Real(1));
+  }
+};
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a mapping"};
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return Mapped<Latitudes, White>{}(Hit<Real>{.normal = ray.direction});
+  }
+};
+#elif MISTAKE == 19
+struct Lesson : PathLesson {
+  static constexpr About about{.idea = "paths without objects"};
+  Stage stage;
+  template <class Real>
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>&, auto&) const {
+    return scene.sky.above;
+  }
+};
+#elif MISTAKE == 20
+struct Lesson : PathLesson, Base {
+  static constexpr About about{.idea = "a ray where a path is wanted"};
 };
 #elif MISTAKE <= 10
 struct Lesson : LessonHooks, Base {

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <initializer_list>
+#include <type_traits>
 
 namespace texmap {
 
@@ -52,7 +53,10 @@ struct Groups {
 
   Groups() = default;
   template <class... Group>
-  Groups(Group&... groups) : declare([&](Offer& offer) { (groups.declare(offer), ...); }) {}
+  Groups(Group&&... groups) : declare([&](Offer& offer) { (groups.declare(offer), ...); }) {
+    static_assert((std::is_lvalue_reference_v<Group> && ...),
+                  "`options` names groups that are members of the lesson");
+  }
 };
 
 /// The base of a lesson. Write `override` behind each hook: a misspelt one does not compile.

@@ -139,6 +139,9 @@ template <class Lesson>
   static_assert(
       requires { Lesson::about.idea; },
       "a lesson says what it is about: static constexpr About about{.idea = ...}");
+  static_assert(
+      std::derived_from<Lesson, SheetLesson> || requires(Lesson lesson) { lesson.stage.camera; },
+      "a lesson has a member `stage`, with a camera");
   static_assert(!has_options<Lesson> || has_build<Lesson> || draws_itself<Lesson>,
                 "a lesson with `options` uses them in `void build(Chosen& chosen) override`: is "
                 "that what it says?");
