@@ -48,14 +48,14 @@ template <class Real>
 
 /// Linear interpolation: `a` at t = 0, `b` at t = 1, both to the bit.
 /// Textbook: a (1 - t) + b t. Here the step t (b - a) starts from the nearer end.
-/// Domain: t in [0, 1]; channels below half of the largest number.
+/// Domain: t in [0, 1]; numbers and channels below half of the largest number.
+template <class Real>
+[[nodiscard]] Real mix(const Real& a, const Real& b, const Real& t) {
+  return select(t < Real(0.5), a + t * (b - a), b - (Real(1) - t) * (b - a));
+}
 template <class Real>
 [[nodiscard]] Color<Real> mix(const Color<Real>& a, const Color<Real>& b, const Real& t) {
-  const Color<Real> from_a = {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};
-  const Real rest = Real(1) - t;
-  const Color<Real> from_b = {b.r - rest * (b.r - a.r), b.g - rest * (b.g - a.g),
-                              b.b - rest * (b.b - a.b)};
-  return select(t < Real(0.5), from_a, from_b);
+  return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)};
 }
 
 }  // namespace texmap

@@ -1,10 +1,24 @@
-// An image as a texture with the bilinear filter.
+// The bilinear filter, and an image as a texture with it.
 #pragma once
 #include "number/table.hpp"
 #include "texture/light_texture.hpp"
 #include "texture/wrap.hpp"
 
 namespace texmap {
+
+/// Bilinear interpolation: the four texels around a place, mixed; a texel itself at its center.
+///
+/// @param texel_at  called with a column and a row, perhaps one beyond an edge; a color or a number
+/// @param x, y      the place in texels, counted from the center of texel (0, 0)
+template <class Real, class TexelAt>
+[[nodiscard]] auto mixed(const TexelAt& texel_at, const Real& x, const Real& y) {
+  const Real column = floor(x), row = floor(y);
+  const auto row_of = [&](const Real& one) {
+    return mix(texel_at(column, one), texel_at(column + Real(1), one), x - column);
+  };
+  const auto first = row_of(row);
+  return mix(first, row_of(row + Real(1)), y - row);
+}
 
 /// The color at (u, v), mixed from the four nearest texel centers, u = (column + 1/2) / width.
 /// u wraps around, so a globe has no seam; v is clamped to the first and the last row.
@@ -23,13 +37,11 @@ struct BilinearTexture {
     const Real width = Real(image.width), height = Real(image.height);
     const Real x = wrapped_coordinate(Wrap::repeat, uv.u) * width - Real(0.5);
     const Real y = wrapped_coordinate(Wrap::clamp, uv.v) * height - Real(0.5);
-    const Real left = floor(x), low = floor(y);
-    const Neighbors<Real> columns = wrapped_neighbors(Wrap::repeat, left, width);
-    const Neighbors<Real> rows = wrapped_neighbors(Wrap::clamp, low, height);
-    const auto row_of = [&](const Real& row) {
-      return mix(texel(columns.first, row), texel(columns.second, row), x - left);
+    const auto texel_at = [&](const Real& column, const Real& row) {
+      return texel(wrapped_neighbor(Wrap::repeat, column, width),
+                   wrapped_neighbor(Wrap::clamp, row, height));
     };
-    return mix(row_of(rows.first), row_of(rows.second), y - low);
+    return mixed(texel_at, x, y);
   }
 
  private:

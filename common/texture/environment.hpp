@@ -7,6 +7,7 @@
 #include "math/rotation.hpp"
 #include "number/table.hpp"
 #include "scene/ray.hpp"
+#include "texture/bilinear.hpp"
 #include "texture/light_image.hpp"
 #include "texture/texel.hpp"
 #include "texture/uv.hpp"
@@ -19,38 +20,21 @@ enum class TexelFilter {
   bilinear,  ///< mixed from the four nearest, over the poles too
 };
 
-/// A texel of a map: whole numbers, the row counted from v = 0.
-template <class Real>
-struct TexelOfMap {
-  Real column, row;
-};
-
-/// The four texels about a place on an equirectangular map, and where it lies between them.
-template <class Real>
-struct FourTexels {
-  std::array<TexelOfMap<Real>, 4> texels;  ///< lower left, lower right, upper left, upper right
-  Real across, up;                         ///< 0 to 1, from the left and from the lower ones
-};
-
-/// Texels' centers are at (column + 1/2) / width; over the poles the map goes on at the other side.
-/// @param uv     u and v from 0 to 1
-/// @param width  even
-template <class Real>
-[[nodiscard]] FourTexels<Real> four_texels(const Uv<Real>& uv, int width, int height) {
-  const Real x = uv.u * Real(width) - Real(0.5);
-  const Real y = uv.v * Real(height) - Real(0.5);
-  const Real left = floor(x);
-  const Real low = floor(y);
-  const int half = width / 2;
-  const auto at = [&](Real column, const Real& row) {
-    const Real inside = clamp(row, Real(0), Real(height - 1));
-    column = column + select(row == inside, Real(0), Real(half));
-    const Real before = select(column < Real(width), Real(0), Real(width));
-    return TexelOfMap<Real>{column - select(column < Real(0), Real(-width), before), inside};
+/// `mixed` at a place on an equirectangular map, which goes on over its poles at the other side.
+///
+/// @param texel_at  called with a column, and a row counted from v = 0, both in the map
+/// @param uv        u and v from 0 to 1
+/// @param width     even
+template <class Real, class TexelAt>
+[[nodiscard]] auto mixed_on_sphere(const TexelAt& texel_at, const Uv<Real>& uv, int width,
+                                   int height) {
+  const auto inside = [&](const Real& column, const Real& row) {
+    const Real inside_row = clamp(row, Real(0), Real(height - 1));
+    const Real turned = column + select(row == inside_row, Real(0), Real(width / 2));
+    const Real before = select(turned < Real(width), Real(0), Real(width));
+    return texel_at(turned - select(turned < Real(0), Real(-width), before), inside_row);
   };
-  const Real right = left + Real(1);
-  const Real high = low + Real(1);
-  return {{at(left, low), at(right, low), at(left, high), at(right, high)}, x - left, y - low};
+  return mixed(inside, uv.u * Real(width) - Real(0.5), uv.v * Real(height) - Real(0.5));
 }
 
 /// A sky painted on a sphere without end: a ray's direction alone decides what it sees.
@@ -116,12 +100,10 @@ class Environment {
       return color(look_up(
           texels, texel_place(uv, map_.width, map_.height, VAxis::up, TexelRounding::floor)));
     }
-    const FourTexels<Real> four = four_texels(uv, map_.width, map_.height);
-    const auto texel = [&](std::size_t i) {
-      const TexelOfMap<Real>& one = four.texels[i];
-      return color(look_up(texels, one.column, Real(map_.height - 1) - one.row));
+    const auto texel_at = [&](const Real& column, const Real& row) {
+      return color(look_up(texels, column, Real(map_.height - 1) - row));
     };
-    return mix(mix(texel(0), texel(1), four.across), mix(texel(2), texel(3), four.across), four.up);
+    return mixed_on_sphere(texel_at, uv, map_.width, map_.height);
   }
 
  private:

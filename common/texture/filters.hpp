@@ -131,9 +131,7 @@ struct Filtered {
     const Wrap downward = wrap == Wrap::spherical ? Wrap::clamp : wrap;
     const Real x = wrapped_coordinate(sideways, at.u) * level.width - Real(0.5);
     const Real y = wrapped_coordinate(downward, at.v) * level.height - Real(0.5);
-    const Real left = floor(x), top = floor(y);
-    return mixed_light(pyramid, level, wrapped_neighbors(sideways, left, level.width),
-                       wrapped_neighbors(downward, top, level.height), x - left, y - top);
+    return mixed_light(pyramid, level, sideways, downward, x, y);
   }
 
   /// Two neighboring levels of the pyramid, and how much of the coarser one is mixed in.
@@ -328,12 +326,10 @@ struct Filtered {
     const Real u = wrap == Wrap::spherical ? wrapped_coordinate(Wrap::repeat, at.u) : at.u;
     const Real x = limited(u * level.width - Real(0.5));
     const Real y = limited(at.v * level.height - Real(0.5));
-    const Real left = floor(x), top = floor(y);
-    const auto row_of = [&](const Real& row) {
-      return mix(wrapped(level, left, row), wrapped(level, left + Real(1), row), x - left);
+    const auto texel_at = [&](const Real& column, const Real& row) {
+      return wrapped(level, column, row);
     };
-    const Color<Real> upper = row_of(top);
-    return mix(upper, row_of(top + Real(1)), y - top);
+    return mixed(texel_at, x, y);
   }
   /// The texel seen at a column and a row, inside the image or beyond.
   template <class Real>

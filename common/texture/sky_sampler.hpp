@@ -111,16 +111,11 @@ class SkySampler {
                      return static_cast<double>(probabilities_[texel]) / bands_[row].solid_angle;
                    });
     }
-    const FourTexels<Real> four = four_texels(uv, width_, height_);
-    const auto probability = [&](std::size_t i) {
-      return entry(four.texels[i].column, four.texels[i].row,
+    const auto probability = [this](const Real& column, const Real& row) {
+      return entry(column, row,
                    [this](std::size_t texel, std::size_t) { return probabilities_[texel]; });
     };
-    const auto between = [&](const Real& a, const Real& b, const Real& t) {
-      return a * (Real(1) - t) + b * t;
-    };
-    const Real in_texels = between(between(probability(0), probability(1), four.across),
-                                   between(probability(2), probability(3), four.across), four.up);
+    const Real in_texels = mixed_on_sphere(probability, uv, width_, height_);
     const Real sine = sqrt(direction.x * direction.x + direction.z * direction.z);
     return in_texels * (Real(width_) * Real(height_)) / (Real(2) * pi<Real>() * pi<Real>() * sine);
   }

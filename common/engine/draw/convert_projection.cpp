@@ -9,7 +9,7 @@
 #include "engine/draw/threads.hpp"
 #include "engine/fast/turns.hpp"
 #include "math/srgb.hpp"
-#include "texture/wrap.hpp"
+#include "texture/bilinear.hpp"
 
 namespace texmap {
 namespace {
@@ -125,23 +125,21 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   const bool cube = facts_of(projection).aspect == 1.5;
   const bool inside = !cube && left >= 0 && left + 1 < width && top >= 0 && top + 1 < height;
   const Texel home = inside ? Texel{left, top} : texel_of(uv, width, height);
-  std::array<Color<double>, 4> lights;  // from the left, then from the top
-  for (int i = 0; i < 4; ++i) {
-    const Texel beside{left + i % 2, top + i / 2};
-    const Texel texel =
-        inside ? beside : texel_beside(projection, home, beside.column, beside.row, width, height);
-    lights[static_cast<std::size_t>(i)] = number_cast<double>(image.at(texel.column, texel.row));
-  }
-  if (cube && (left + 1) * 3 % width == 0 && (top + 1) * 2 % height == 0) {
-    // A corner of the cube, where three texels meet: their mean takes the place of the fourth.
-    const int fourth = (home.column == left ? 1 : 0) + (home.row == top ? 2 : 0);
-    Color<double> sum{};
-    for (int i = 0; i < 4; ++i) {
-      if (i != fourth) sum = sum + lights[static_cast<std::size_t>(i)];
-    }
-    lights[static_cast<std::size_t>(fourth)] = sum * (1.0 / 3);
-  }
-  return mix(mix(lights[0], lights[1], x - left), mix(lights[2], lights[3], x - left), y - top);
+  const auto texel_at = [&](double column, double row) {
+    Texel texel{static_cast<int>(column), static_cast<int>(row)};
+    if (!inside) texel = texel_beside(projection, home, texel.column, texel.row, width, height);
+    return number_cast<double>(image.at(texel.column, texel.row));
+  };
+  if (!cube || (left + 1) * 3 % width != 0 || (top + 1) * 2 % height != 0)
+    return mixed(texel_at, x, y);
+  // A corner of the cube, where three texels meet: their mean takes the place of the fourth.
+  const int column = 2 * left + 1 - home.column, row = 2 * top + 1 - home.row;
+  const Color<double> three =
+      texel_at(home.column, home.row) + texel_at(column, home.row) + texel_at(home.column, row);
+  const auto with_corner = [&](double x, double y) {
+    return x == column && y == row ? three * (1.0 / 3) : texel_at(x, y);
+  };
+  return mixed(with_corner, x, y);
 }
 
 Image convert_projection(const Image& image, Projection from, Projection to,

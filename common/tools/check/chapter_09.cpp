@@ -3,7 +3,6 @@
 #include "09_texture_filtering/sheet.hpp"
 #include "engine/run/filter_options.hpp"
 #include "exercises.hpp"
-#include "texture/environment.hpp"
 
 namespace texmap::chapter_09 {
 
@@ -50,13 +49,16 @@ struct FilteredTexture : texmap::FilteredTexture {
     const Uv<double> inside{wrapped_coordinate(wrap, at.u), wrapped_coordinate(wrap, at.v)};
     const auto [left, right] = weights_of(inside.u, static_cast<int>(level.width));
     const auto [top, bottom] = weights_of(inside.v, static_cast<int>(level.height));
-    const auto columns = wrapped_neighbors(wrap, floor(inside.u * level.width - 0.5), level.width);
-    const auto rows = wrapped_neighbors(wrap, floor(inside.v * level.height - 0.5), level.height);
-    const auto mixed = [&, left = left, right = right](double row) {
-      return texel_light(pyramid, level, columns.first, row) * left +
-             texel_light(pyramid, level, columns.second, row) * right;
+    const double column = floor(inside.u * level.width - 0.5);
+    const double row = floor(inside.v * level.height - 0.5);
+    const auto texel_at = [&](double x, double y) {
+      return texel_light(pyramid, level, wrapped_neighbor(wrap, x, level.width),
+                         wrapped_neighbor(wrap, y, level.height));
     };
-    return mixed(rows.first) * top + mixed(rows.second) * bottom;
+    const auto row_of = [&, left = left, right = right](double y) {
+      return texel_at(column, y) * left + texel_at(column + 1, y) * right;
+    };
+    return row_of(row) * top + row_of(row + 1) * bottom;
   }
 };
 
@@ -255,7 +257,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {right_column, wrong_columns, repeated_column_places, {}, width_of}),
        exercise(weights_of, floor_of_three_colors,
                 {[](double u, int width) {
-                   const double second = four_texels(Uv<double>{u, 0.5}, width, 2).across;
+                   const double second = u * width - 0.5 - std::floor(u * width - 0.5);
                    return Weights{1 - second, second};
                  },
                  wrong_weights, weights_of_places}),
