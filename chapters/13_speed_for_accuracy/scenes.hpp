@@ -80,9 +80,7 @@ struct OneRayScene {
   [[nodiscard]] Real level_of_light(const Real& light) const {
     if (curve == Curve::four) return srgb_level<4>(light);
     if (curve == Curve::three) return srgb_level<3>(light);
-    const Real inside = clamp(light, Real(0), Real(1));
-    return from_lanes<Real>([&](std::size_t i) { return srgb_encode(lane(inside, i)); }) *
-           Real(255);
+    return srgb_encode(clamp(light, Real(0), Real(1))) * Real(255);
   }
 
  private:

@@ -24,9 +24,11 @@ template <class Real>
 /// Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real srgb_encode(Real linear) {
-  if (linear <= static_cast<Real>(0.0031308L)) return linear * static_cast<Real>(12.92L);
-  return static_cast<Real>(1.055L) * pow(linear, 1 / static_cast<Real>(2.4L)) -
-         static_cast<Real>(0.055L);
+  const auto constant = [](long double value) { return Real(static_cast<Scalar<Real>>(value)); };
+  const Real least = constant(0.0031308L);
+  const Real root = power(max(linear, least), 1 / static_cast<Scalar<Real>>(2.4L));
+  return select(linear > least, constant(1.055L) * root - constant(0.055L),
+                linear * constant(12.92L));
 }
 
 }  // namespace texmap

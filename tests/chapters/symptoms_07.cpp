@@ -6,7 +6,6 @@
 #include "scene/path.hpp"
 #include "scene/sky.hpp"
 #include "support/symptoms.hpp"
-#include "texture/encoded.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -31,7 +30,7 @@ TEST_CASE("bytes are light on a curve: decode before averaging, encode before wr
                 {{188 / 255.0, "the curve of image files is missing"},
                  {srgb_encode(188 / 255.0), "encoded in place of decoded"},
                  {std::pow(188 / 255.0, 2.2), "a power of 2.2 is near the curve, but not it"}});
-  expect_number("the channel that shows half of the light", encoded(0.5), 0.7353569831,
+  expect_number("the channel that shows half of the light", srgb_encode(0.5), 0.7353569831,
                 {{0.5, "the curve of image files is missing: the picture is too dark"},
                  {srgb_decode(0.5), "decoded in place of encoded: the picture is too dark"},
                  {std::sqrt(0.5), "a square root is near the curve, but not it"}});

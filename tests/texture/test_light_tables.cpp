@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "math/srgb.hpp"
-#include "texture/encoded.hpp"
 #include "texture/light_texture.hpp"
 
 namespace texmap::test {
@@ -25,18 +24,6 @@ TEST_CASE_TEMPLATE("stb_image's light is kept in bytes, of which 184 remain and 
   }
   CHECK(std::count(kept.begin(), kept.end(), T(0)) == 21);
   CHECK(levels == 184);
-}
-
-TEST_CASE_TEMPLATE("light is encoded by the curve of math/srgb.hpp, and meets both ends exactly",
-                   Real, float, double, long double) {
-  CHECK(encoded(Real(0)) == 0);
-  CHECK(encoded(Real(1)) == 1);
-  CHECK(encoded(Real(-1)) == 0);
-  CHECK(encoded(std::numeric_limits<Real>::quiet_NaN()) == 0);
-  for (int i = 1; i < 3000; ++i) {
-    const Real light = Real(i) / Real(3000);
-    CHECK(abs(encoded(light) - srgb_encode(light)) <= Real(8) * unit_roundoff<Real>());
-  }
 }
 
 TEST_CASE("NaN stays NaN in both curves") {

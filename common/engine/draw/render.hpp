@@ -14,7 +14,7 @@
 #include "number/dual.hpp"
 #include "number/uint.hpp"
 #include "scene/camera.hpp"
-#include "texture/encoded.hpp"
+#include "math/srgb.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
@@ -76,7 +76,8 @@ template <class Real, class Lesson>
 /// Light as a color; bytes are cut off, so half of one is added.
 template <class Real>
 [[nodiscard]] Color<Real> shown_light(const Color<Real>& light) {
-  return encoded(light) + gray(Real(0.5 / 255));
+  const Real half = Real(0.5 / 255);
+  return {srgb_encode(light.r) + half, srgb_encode(light.g) + half, srgb_encode(light.b) + half};
 }
 
 /// The color of a pixel, or of a pack of neighboring pixels: the mean of its samples.
