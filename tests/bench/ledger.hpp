@@ -101,12 +101,14 @@ struct HighlightAnyway : chapter_06::Lesson {
 };
 
 /// A sky that does not say that it is uniform.
-template <class Real>
 struct UnsureSky {
-  PreparedSky<Real> sky;
+  const GradientSky& sky;
 
   [[nodiscard]] static bool is_constant() { return false; }
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const { return sky(ray); }
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return sky(ray);
+  }
 };
 
 /// Chapter 07's lesson, which follows a path on to a uniform sky.
@@ -114,7 +116,7 @@ struct ScatterAnyway : chapter_07::Lesson {
   template <class Real>
   Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
     const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
-    return light_along(scene.objects, ray, UnsureSky<Real>{scene.sky}, sampling.bounces, random);
+    return light_along(scene.objects, ray, UnsureSky{scene.sky}, sampling.bounces, random);
   }
 };
 

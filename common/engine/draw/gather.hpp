@@ -186,7 +186,7 @@ template <class Real, class Lesson, class Paint>
       for (const Pixel& at : lists.misses) film.set(rows, at, first, second);
       lists.misses.clear();
     }
-    if constexpr (std::is_same_v<decltype(scene.sky), PreparedSky<Real>>) {
+    if constexpr (std::is_same_v<decltype(lesson.stage.sky), GradientSky>) {
       if (bounds && bounds->smooths_sky(view)) {
         gather_pixels<Real>(
             sampler, lists.misses,

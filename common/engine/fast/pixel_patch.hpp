@@ -5,6 +5,7 @@
 #include "engine/fast/biquadratic.hpp"
 #include "engine/fast/prepared_scene.hpp"
 #include "sampling/directions.hpp"
+#include "scene/sky.hpp"
 
 namespace texmap {
 
@@ -20,14 +21,14 @@ concept HasMapping = requires(const Paint& paint, const Vec3<Real>& normal) {
 template <class Real, HasMapping<Real> Paint>
 struct PixelPatch {
   const Paint& paint;
-  const PreparedSky<Real>& sky;
+  const GradientSky& sky;
   Biquadratic<Real> u, v;
   std::array<Linear<Real>, 3> normal;  ///< its x, y and z; only for a sky that changes
 
   /// Domain: pixels with finite errors in probe_pixel.
   /// Bound: that of Smoothing, and the errors of the nine probes times Biquadratic::worst_growth.
   PixelPatch(const View<Real>& view, const PreparedSphere<Real>& sphere,
-             const Paint& paint_of_sphere, const PreparedSky<Real>& sky_beyond, const Real& column,
+             const Paint& paint_of_sphere, const GradientSky& sky_beyond, const Real& column,
              const Real& row)
       : paint(paint_of_sphere), sky(sky_beyond) {
     const auto nine = at_nine_places<Real>([&](const Real& x, const Real& y) {
@@ -63,7 +64,7 @@ struct PixelPatch {
     const Point2<Real>& in_pixel = random.next_2d();
     const Real x = in_pixel.u - Real(0.5);
     const Real y = in_pixel.v - Real(0.5);
-    if (sky.is_constant()) return albedo(x, y) * sky.below;
+    if (sky.is_constant()) return albedo(x, y) * number_cast<Real>(sky.below);
     const Vec3<Real> upward{normal[0](x, y), normal[1](x, y), normal[2](x, y)};
     return albedo(x, y) * sky(Ray<Real>{{}, cosine_direction(upward, random.next_2d())});
   }
@@ -72,12 +73,11 @@ struct PixelPatch {
 /// What a pixel shows of the sky: the height of the ray as a polynomial of degree 1.
 template <class Real>
 struct SkyPatch {
-  const PreparedSky<Real>& sky;
+  const GradientSky& sky;
   Linear<Real> height;
 
   /// Bound: worst_height times the square of half of a pixel's width at distance 1.
-  SkyPatch(const View<Real>& view, const PreparedSky<Real>& seen, const Real& column,
-           const Real& row)
+  SkyPatch(const View<Real>& view, const GradientSky& seen, const Real& column, const Real& row)
       : sky(seen) {
     const auto nine = at_nine_places<Real>([&](const Real& x, const Real& y) {
       return ray_through(view, column + x, row + y).direction.y;

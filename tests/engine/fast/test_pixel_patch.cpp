@@ -97,8 +97,8 @@ TEST_CASE(
     if (!(look.curvature_error < infinity<double>()) || look.curvature_error < 1e-9) continue;
     ++patches;
     const Paint paint{};
-    const PreparedSky<double> sky = prepare<double>(fading);
-    const PixelPatch<double, Paint> patch(sight.view, sphere, paint, sky, sight.column, sight.row);
+    const PixelPatch<double, Paint> patch(sight.view, sphere, paint, fading, sight.column,
+                                          sight.row);
     for (const double x : in_pixel) {
       for (const double y : in_pixel) {
         const Ray<double> ray{sight.view.eye,
@@ -174,8 +174,7 @@ TEST_CASE("the sky's patch is as high as the line of sight, within what it state
     sight.view.pixel = std::abs(dice.any_size(-4, -1));
     const double column = dice.between(-2, 2) / sight.view.pixel;
     const double row = dice.between(-2, 2) / sight.view.pixel;
-    const PreparedSky<double> sky = prepare<double>(fading);
-    const SkyPatch<double> patch(sight.view, sky, column, row);
+    const SkyPatch<double> patch(sight.view, fading, column, row);
     for (const double x : {-0.5, 0.0, 0.5}) {
       for (const double y : {-0.5, 0.0, 0.5}) {
         const double height = ray_through(sight.view, column + x, row + y).direction.y;
