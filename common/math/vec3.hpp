@@ -24,11 +24,7 @@ using Vec3d = Vec3<double>;
 /// A number as another kind of number, rounded once; infinite beyond the other's range.
 template <class Real, class Other>
 [[nodiscard]] Real number_cast(const Other& x) {
-  if constexpr (std::is_same_v<Real, Other>) {
-    return x;
-  } else {
-    return Real(x);
-  }
+  return Real(x);
 }
 /// The same for each coordinate.
 template <class Real, class Other>

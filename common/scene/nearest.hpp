@@ -15,27 +15,42 @@ struct Nearest {
 template <class Real, class Objects>
 [[nodiscard]] Nearest<Real> find_nearest(const Objects& objects, const Ray<Real>& ray) {
   Nearest<Real> nearest;
-  for (double index = 0; const auto& object : objects) {
+  for (int index = 0; const auto& object : objects) {
     const Real distance = distance_to(object.shape, ray);
     const auto nearer = distance < nearest.distance;
     nearest.distance = select(nearer, distance, nearest.distance);
-    nearest.index = select(nearer, Real(index), nearest.index);
-    index += 1;
+    nearest.index = select(nearer, Real(index++), nearest.index);
   }
   return nearest;
 }
 
 /// True where an object lies between the ray's origin and `distance` along it. The object with the
-/// index `leaving`, from which the ray starts outward, is skipped if it is convex.
-template <class Real, class Objects>
+/// index `leaving` (a Real or an int), from which the ray starts outward, is skipped if convex.
+template <class Real, class Objects, class Index = int>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray,
-                                     const Real& distance, int leaving = -1) {
+                                     const Real& distance, const Index& leaving = -1) {
   Real first = infinity<Real>();
   for (int index = 0; const auto& object : objects) {
-    if (index++ != leaving || !object.shape.convex())
-      first = min(distance_to(object.shape, ray), first);
+    const Mask<Real> other = !(Real(leaving) == Real(index++));
+    const Mask<Real> may_hide = other || mask_of<Real>(!object.shape.convex());
+    if (any(may_hide))
+      first = min(select(may_hide, distance_to(object.shape, ray), infinity<Real>()), first);
   }
   return first < distance;
+}
+
+/// Calls `work` with (object, hit, mask) once for each object that some lane meets first; the mask
+/// says which. In other lanes the hit has no meaning.
+template <class Real, class Objects, class Work>
+void for_each_hit(const Objects& objects, const Ray<Real>& ray, const Nearest<Real>& nearest,
+                  const Work& work) {
+  for (int index = -1; const auto& object : objects) {
+    const Mask<Real> here = nearest.index == Real(++index);
+    if (!any(here)) continue;
+    Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+    hit.object = index;
+    work(object, hit, here);
+  }
 }
 
 /// The color along a ray: that of the first object it meets, or the background.
@@ -50,15 +65,9 @@ template <class Real, class Objects, class Background, class Shade>
   static_assert(std::is_same_v<decltype(shade(objects.front(), Hit<Real>{})), decltype(color)>,
                 "an object's color must be a Color<Real>: of a Vec3 p it is {p.x, p.y, p.z}");
   if (any(nearest.index < Real(0))) color = background(ray);
-  for (int index = -1; const auto& object : objects) {
-    ++index;
-    const Mask<Real> here = nearest.index == Real(index);
-    if (!any(here)) continue;
-    // Other lanes get the distance 1; their result is not used.
-    Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
-    hit.object = index;
+  for_each_hit(objects, ray, nearest, [&](const auto& object, const auto& hit, const auto& here) {
     color = select(here, shade(object, hit), color);
-  }
+  });
   return color;
 }
 

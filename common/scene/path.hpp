@@ -44,24 +44,21 @@ template <class Real, class Objects, class Sky, class Random>
   Color<Real> light = gray(Real(0));
   Mask<Real> under_way = mask_of<Real>(true);
   for (int bounce = 0;; ++bounce) {
-    const Nearest<Real> nearest = find_nearest(objects, ray);
-    const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
+    Nearest<Real> nearest = find_nearest(objects, ray);
+    nearest.index = select(under_way, nearest.index, Real(-1));
+    const Mask<Real> met = nearest.index >= Real(0);
     light = select(under_way && !met, carried * sky(ray), light);
     under_way = met;
     if (bounce == bounces || !any(under_way)) return light;
 
     const Point2<Real>& sample = random.next_2d();
     Ray<Real> next = ray;
-    double index = 0;
-    for (const auto& object : objects) {
-      const Mask<Real> here = under_way && nearest.index == Real(index);
-      index += 1;
-      if (!any(here)) continue;
-      const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+    const auto scatter = [&](const auto& object, const Hit<Real>& hit, const Mask<Real>& here) {
       carried = select(here, carried * object.paint(hit), carried);
       next.origin = select(here, hit.outside, next.origin);
       next.direction = select(here, cosine_direction(hit.normal, sample), next.direction);
-    }
+    };
+    for_each_hit(objects, ray, nearest, scatter);
     ray = next;
   }
 }

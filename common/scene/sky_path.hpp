@@ -84,21 +84,6 @@ template <class Real, class Sky>
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
-/// True where an object hides the sky from a ray that starts outward at the object `leaving`,
-/// which cannot if it is convex.
-template <class Real, class Objects>
-[[nodiscard]] Mask<Real> is_hidden(const Objects& objects, const Ray<Real>& ray,
-                                   const Real& leaving) {
-  Real first = infinity<Real>();
-  for (double index = 0; const auto& object : objects) {
-    const Mask<Real> may_hide = mask_of<Real>(!object.shape.convex()) || !(leaving == Real(index));
-    index += 1;
-    if (any(may_hide))
-      first = min(select(may_hide, distance_to(object.shape, ray), infinity<Real>()), first);
-  }
-  return first < infinity<Real>();
-}
-
 /// The light that arrives along a ray from matte and mirroring objects under a sky: one path.
 ///
 /// @param objects, bounces  paints are Coats; after `bounces` >= 1 a path brings no light
@@ -121,8 +106,9 @@ template <class Real, class Objects, class Sky, class Random>
   Mask<Real> shared = escaped;  // what the ray sees of the sky has been drawn by the sky, too
   Real cosine = Real(1);        // at the surface that a shared ray leaves
   for (int bounce = 0;; ++bounce) {
-    const Nearest<Real> nearest = find_nearest(objects, ray);
-    const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
+    Nearest<Real> nearest = find_nearest(objects, ray);
+    nearest.index = select(under_way, nearest.index, Real(-1));
+    const Mask<Real> met = nearest.index >= Real(0);
     escaped = escaped || (under_way && !met);
     under_way = met;
     if (bounce == bounces || !any(under_way)) break;
@@ -134,11 +120,7 @@ template <class Real, class Objects, class Sky, class Random>
     Ray<Real> next = ray;
     Vec3<Real> normal = ray.direction;  // where the path scatters
     Mask<Real> scatters = mask_of<Real>(false);
-    for (double index = 0; const auto& object : objects) {
-      const Mask<Real> here = under_way && nearest.index == Real(index);
-      index += 1;
-      if (!any(here)) continue;
-      const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+    const auto follow = [&](const auto& object, const Hit<Real>& hit, const Mask<Real>& here) {
       carried = select(here, carried * object.paint(hit), carried);
       next.origin = select(here, hit.outside, next.origin);
       normal = select(here, hit.normal, normal);
@@ -148,7 +130,8 @@ template <class Real, class Objects, class Sky, class Random>
         dull = here && !sharp;
       }
       scatters = scatters || dull;
-    }
+    };
+    for_each_hit(objects, ray, nearest, follow);
     if (matte.way == SkyLighting::coefficients) {
       light = select(scatters, carried * sky.reflected(normal), light);
       under_way = under_way && !scatters;
@@ -162,7 +145,7 @@ template <class Real, class Objects, class Sky, class Random>
         const Ray<Real> to_sky = {next.origin, drawn.direction};
         const Real toward = dot(normal, to_sky.direction);
         Mask<Real> lit = scatters && toward > Real(0);
-        if (any(lit)) lit = lit && !is_hidden(objects, to_sky, nearest.index);
+        if (any(lit)) lit = lit && !is_occluded(objects, to_sky, infinity<Real>(), nearest.index);
         if (any(lit)) {
           const Real weight = weight_of_both(toward, sky.density(true, drawn));
           light = light + select(lit, carried * sky.picture.at(drawn.uv) * weight, black);
