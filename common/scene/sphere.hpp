@@ -14,6 +14,11 @@ struct Sphere {
   [[nodiscard]] static constexpr bool convex() { return true; }  ///< see scene/shapes.hpp
 };
 
+template <class Type>  // a Sphere, or what is derived from one
+concept SphereLike = requires(const Type& shape) {
+  shape.form;
+};
+
 /// 1 / radius, the same in every lane.
 template <class Real, class Other>
 [[nodiscard]] Real inverse_radius(const Sphere<Other>& sphere) {
@@ -27,38 +32,29 @@ template <class Real, class Other>
 /// Distance along the ray to the first point of the sphere ahead, in lengths of `ray.direction`;
 /// +infinity for a miss and for a direction that is zero or NaN. A tangent is a hit.
 /// Domain: that of the sphere's form.
-template <class Real, class SphereLike>
-[[nodiscard]] Real distance_to(const SphereLike& sphere, const Ray<Real>& ray) {
+template <class Real, SphereLike Shape>
+[[nodiscard]] Real distance_to(const Shape& sphere, const Ray<Real>& ray) {
   const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Real radius = number_cast<Real>(sphere.radius);
   if (!(lane(sphere.radius, 0) > 0)) return infinity<Real>();
-  switch (sphere.form) {
-    case SphereForm::plain:
-      return plain_distance(ray.origin - center, ray.direction, radius);
-    case SphereForm::hybrid:
-      return hybrid_meeting<Real>(center, radius, ray).distance;
-    case SphereForm::robust:
-      break;
-  }
+  if (sphere.form == SphereForm::plain)
+    return plain_distance(ray.origin - center, ray.direction, radius);
+  if (sphere.form == SphereForm::hybrid) return hybrid_meeting<Real>(center, radius, ray).distance;
   return robust_distance(ray.origin - center, ray.direction, radius);
 }
 
 /// The outward unit normal at a distance that `distance_to` returned.
 /// Textbook: (point - center) / radius, the plain form. The robust form also corrects the length.
 /// Source: hit points relative to the object, pbrt-v4, section 6.8.
-template <class Real, class SphereLike>
-[[nodiscard]] Vec3<Real> normal_at(const SphereLike& sphere, const Ray<Real>& ray,
+template <class Real, SphereLike Shape>
+[[nodiscard]] Vec3<Real> normal_at(const Shape& sphere, const Ray<Real>& ray,
                                    const Real& distance) {
   const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Vec3<Real> along = ray.direction * distance;
-  switch (sphere.form) {
-    case SphereForm::plain:
-      return (ray.origin + along - center) * inverse_radius<Real>(sphere);
-    case SphereForm::hybrid:
-      return hybrid_meeting<Real>(center, number_cast<Real>(sphere.radius), ray).normal;
-    case SphereForm::robust:
-      break;
-  }
+  if (sphere.form == SphereForm::plain)
+    return (ray.origin + along - center) * inverse_radius<Real>(sphere);
+  if (sphere.form == SphereForm::hybrid)
+    return hybrid_meeting<Real>(center, number_cast<Real>(sphere.radius), ray).normal;
   const Vec3<Real> normal = (ray.origin - center + along) * inverse_radius<Real>(sphere);
   // Its length to the power -1 as a series: the last term is needed from 1000 radii away in float.
   const Real squared = dot(normal, normal);
@@ -69,9 +65,8 @@ template <class Real, class SphereLike>
 /// Domain: radius 1e-6 to 1e6; |center| / radius up to 1e5 in float, 1e13 in double.
 /// Except for plain, rays outward from `outside` miss it, and rays inward from `inside` meet it.
 /// Source: pbrt-v4, section 6.8: a rounding bound instead of the books' fixed 0.001.
-template <class Real, class SphereLike>
-[[nodiscard]] Hit<Real> hit_at(const SphereLike& sphere, const Ray<Real>& ray,
-                               const Real& distance) {
+template <class Real, SphereLike Shape>
+[[nodiscard]] Hit<Real> hit_at(const Shape& sphere, const Ray<Real>& ray, const Real& distance) {
   const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Real radius = number_cast<Real>(sphere.radius);
   const Real u = unit_roundoff<Real>();

@@ -155,6 +155,21 @@ struct Lesson : PathLesson {
 struct Lesson : PathLesson, Base {
   static constexpr About about{.idea = "a ray where a path is wanted"};
 };
+#elif MISTAKE == 21
+struct Disk {
+  Point center;
+};
+template <class Real>
+Real distanec_to(const Disk& disk, const Ray<Real>& ray) {
+  return length(number_cast<Real>(disk.center) - ray.origin);
+}
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a shape without distance_to"};
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return gray(find_nearest(std::vector<Painted<Solid, Disk>>{}, ray).distance);
+  }
+};
 #elif MISTAKE <= 10
 struct Lesson : LessonHooks, Base {
 #if MISTAKE == 8

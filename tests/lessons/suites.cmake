@@ -72,6 +72,7 @@ if(TAKES_GNU_OPTIONS)
   set(branch_in_packs "a pack of numbers has no single value for `if`.*Numbers::single")
   set(branch_in_intervals "may be both true and false, which `if` .*Numbers::single")
   set(forgotten_build "a lesson with `options` uses them in")
+  set(shape_without_distance "no matching function for call to .distance_to.const texmap::Disk|distance_to.*Disk")
   set(wave_in_intervals "intervals have no sin.*Numbers::no_intervals")
   set(no_call "a lesson is called with a Ray<Real>, from many threads, and returns a Color<Real>")
   set(no_stage "a lesson has a member .stage., with a camera")
@@ -85,7 +86,7 @@ if(TAKES_GNU_OPTIONS)
   set(number 0)
   foreach(mistake misspelt_hook misspelt_fact no_hooks no_facts call_that_is_not_const vector_as_color texture_of_numbers
       branch_in_packs branch_in_intervals wave_in_intervals forgotten_build no_call no_stage hook_of_another options_of_nobody group_without_declare
-      paint_without_call mapping_to_a_number paths_without_objects ray_for_a_path)
+      paint_without_call mapping_to_a_number paths_without_objects ray_for_a_path shape_without_distance)
     math(EXPR number "${number} + 1")
     foreach(build TEXMAP_LEARN ALL_NUMBERS)
       if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
