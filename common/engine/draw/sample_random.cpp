@@ -3,7 +3,6 @@
 
 namespace texmap {
 
-template TEXMAP_TWO_WIDTHS TEXMAP_FLATTEN void SampleSums<double>::make(int);
-template const Point2<double>& RandomBlock<double>::make_other(int, int);
+template TEXMAP_TWO_WIDTHS TEXMAP_FLATTEN const Point2<double>& RandomBlock<double>::make(int, int);
 
 }  // namespace texmap

@@ -2,14 +2,14 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "engine/draw/inline_whole.hpp"
 #include "sampling/samplers.hpp"
 
 namespace texmap {
 
-/// The numbers of a block of samples, for a pack of pixels.
+/// The numbers of a block of samples, for a pack of pixels. A dimension's are made, for the whole
+/// block, when its first sample asks: what the samples share is then computed once.
 template <class Real>
 struct RandomBlock {
   static constexpr int at_once = 16;  ///< samples: the numbers of the widest packs take 16 KiB
@@ -17,20 +17,35 @@ struct RandomBlock {
 
   const Sampler* sampler = nullptr;
   UInt<Real> pixels{};
-  int first = 0;  ///< first sample of the block
-  int made = 0;   ///< dimensions that have numbers, at least 1
+  int first = 0, end = 0;  ///< samples
+  int made = 0;            ///< dimensions that have numbers
   std::array<std::array<Point2<Real>, at_once>, kept> pairs;
-
   Point2<Real> other;  ///< of a dimension that is not kept
 
-  [[nodiscard]] TEXMAP_NOINLINE const Point2<Real>& make_other(int sample, int dimension) {
-    return other = sampler->pair<Real>(pixels, static_cast<std::uint32_t>(sample),
-                                       static_cast<std::uint32_t>(dimension));
+  [[nodiscard]] const Point2<Real>& pair(int sample, int dimension) {
+    if (dimension >= made) return make(sample, dimension);
+    return pairs[static_cast<std::size_t>(dimension)][static_cast<std::size_t>(sample - first)];
+  }
+  /// The same for a dimension without numbers.
+  [[nodiscard]] TEXMAP_NOINLINE const Point2<Real>& make(int sample, int dimension) {
+    const auto d = static_cast<std::uint32_t>(dimension);
+    if (dimension >= kept)
+      return other = sampler->pair<Real>(pixels, static_cast<std::uint32_t>(sample), d);
+    auto& of_samples = pairs[static_cast<std::size_t>(dimension)];
+    sampler->visit([&](const auto& pattern) {
+      inline_whole<Real>([&] {
+        for (int i = first; i < end; ++i) {
+          of_samples[static_cast<std::size_t>(i - first)] =
+              pattern.template pair<Real>(pixels, static_cast<std::uint32_t>(i), d);
+        }
+      });
+    });
+    made = dimension + 1;
+    return of_samples[static_cast<std::size_t>(sample - first)];
   }
 };
 
 /// The numbers of one sample: those of Sampler::pair, one dimension after another.
-/// Domain: block.made is 1 or more.
 template <class Real>
 class SampleRandom {
  public:
@@ -38,19 +53,9 @@ class SampleRandom {
 
   /// The next two numbers in [0, 1): each call has its own dimension.
   ///
-  /// @return  valid until the next call; not yet the right numbers while lack() is true. By
-  ///          reference: copying a pack would store it in pieces and stall loading it whole.
-  [[nodiscard]] const Point2<Real>& next_2d() {
-    const int dimension = dimension_++;
-    if (dimension >= block_.kept) return block_.make_other(sample_, dimension);
-    return block_.pairs[static_cast<std::size_t>(dimension < block_.made ? dimension : 0)]
-                       [static_cast<std::size_t>(sample_ - block_.first)];
-  }
-
-  /// How many of the kept pairs have been asked for.
-  [[nodiscard]] int asked() const { return std::min(dimension_, block_.kept); }
-  /// True if a pair was asked for that does not exist yet.
-  [[nodiscard]] bool lack() const { return asked() > block_.made; }
+  /// @return  valid until the next call. By reference: copying a pack would store it in pieces and
+  ///          stall loading it whole.
+  [[nodiscard]] const Point2<Real>& next_2d() { return block_.pair(sample_, dimension_++); }
 
  private:
   RandomBlock<Real>& block_;
@@ -59,8 +64,6 @@ class SampleRandom {
 };
 
 /// Calls a work with the numbers of each sample and sums what it returns.
-/// Numbers are made for a whole block first. If the work asks for more dimensions than there are,
-/// they are made and the sample is done again; later blocks have them from the start.
 template <class Real>
 class SampleSums {
  public:
@@ -69,60 +72,25 @@ class SampleSums {
 
   /// @param pixels      from hash_pixels
   /// @param first, end  the samples from first to end - 1
-  /// @param work        called with SampleRandom; may be called again for the same sample
+  /// @param work        called with SampleRandom
   /// @param sum         what the results are added to
   template <class Work, class Sum>
   void add(const UInt<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
-    inline_whole<Real>([&] { add_samples(pixels, first, end, work, sum); });
-  }
-
- private:
-  template <class Work, class Sum>
-  void add_samples(const UInt<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
     block_.pixels = pixels;
-    // Starts with as many as the last pixel used. A pack would repeat too many samples.
-    if constexpr (lanes<Real> == 1) needed_ = std::exchange(asked_, 1);
-    int sample = first;
-    while (sample < end) {
-      const int begin = sample;
-      const int stop = std::min(begin + block_.at_once, end);
-      block_.first = begin;
-      block_.made = 0;
-      do {
-        make(stop - begin);
-        for (; sample < stop; ++sample) {
+    inline_whole<Real>([&] {
+      for (block_.first = first; block_.first < end; block_.first = block_.end) {
+        block_.end = std::min(block_.first + block_.at_once, end);
+        block_.made = 0;
+        for (int sample = block_.first; sample < block_.end; ++sample) {
           SampleRandom<Real> random(block_, sample);
-          const Sum light = work(random);
-          asked_ = std::max(asked_, random.asked());
-          if (random.lack()) {
-            needed_ = asked_;
-            break;
-          }
-          sum = sum + light;
+          sum = sum + work(random);
         }
-      } while (sample < stop);
-    }
-  }
-
-  /// Makes the dimensions that are needed and missing.
-  TEXMAP_NOINLINE void make(int count) {
-    block_.sampler->visit([&](const auto& pattern) {
-      inline_whole<Real>([&] {  // what does not depend on the sample is then computed once
-        for (; block_.made < needed_; ++block_.made) {
-          auto& pairs = block_.pairs[static_cast<std::size_t>(block_.made)];
-          for (int i = 0; i < count; ++i) {
-            pairs[static_cast<std::size_t>(i)] = pattern.template pair<Real>(
-                block_.pixels, static_cast<std::uint32_t>(block_.first + i),
-                static_cast<std::uint32_t>(block_.made));
-          }
-        }
-      });
+      }
     });
   }
 
+ private:
   RandomBlock<Real> block_;
-  int needed_ = 1;  ///< dimensions
-  int asked_ = 1;   ///< the most that a sample asked for, since `needed_` was set
 };
 
 }  // namespace texmap

@@ -22,7 +22,6 @@ namespace texmap {
 extern template Color<double> light_under_sky(const std::vector<PreparedObject<double, Coat>>&,
                                               Ray<double>, const SkyLight&, const MatteLight&, int,
                                               SampleRandom<double>&);
-extern template void SampleSums<double>::make(int);
-extern template const Point2<double>& RandomBlock<double>::make_other(int, int);
+extern template const Point2<double>& RandomBlock<double>::make(int, int);
 
 }  // namespace texmap
