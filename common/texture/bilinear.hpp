@@ -11,7 +11,7 @@ namespace texmap {
 /// @param texel_at  called with a column and a row, perhaps one beyond an edge; a color or a number
 /// @param x, y      the place in texels, counted from the center of texel (0, 0)
 template <class Real, class TexelAt>
-[[nodiscard]] auto mixed(const TexelAt& texel_at, const Real& x, const Real& y) {
+[[nodiscard]] auto bilinear_mix(const TexelAt& texel_at, const Real& x, const Real& y) {
   const Real column = floor(x), row = floor(y);
   const auto row_of = [&](const Real& one) {
     return mix(texel_at(column, one), texel_at(column + Real(1), one), x - column);
@@ -41,7 +41,7 @@ struct BilinearTexture {
       return texel(wrapped_neighbor(Wrap::repeat, column, width),
                    wrapped_neighbor(Wrap::clamp, row, height));
     };
-    return mixed(texel_at, x, y);
+    return bilinear_mix(texel_at, x, y);
   }
 
  private:

@@ -20,7 +20,7 @@ enum class TexelFilter {
   bilinear,  ///< mixed from the four nearest, over the poles too
 };
 
-/// `mixed` at a place on an equirectangular map, which goes on over its poles at the other side.
+/// `bilinear_mix` at a place on an equirectangular map, which goes on over its poles at the other side.
 ///
 /// @param texel_at  called with a column, and a row counted from v = 0, both in the map
 /// @param uv        u and v from 0 to 1
@@ -34,7 +34,7 @@ template <class Real, class TexelAt>
     const Real before = select(turned < Real(width), Real(0), Real(width));
     return texel_at(turned - select(turned < Real(0), Real(-width), before), inside_row);
   };
-  return mixed(inside, uv.u * Real(width) - Real(0.5), uv.v * Real(height) - Real(0.5));
+  return bilinear_mix(inside, uv.u * Real(width) - Real(0.5), uv.v * Real(height) - Real(0.5));
 }
 
 /// A sky painted on a sphere without end: a ray's direction alone decides what it sees.

@@ -329,7 +329,7 @@ struct Filtered {
     const auto texel_at = [&](const Real& column, const Real& row) {
       return wrapped(level, column, row);
     };
-    return mixed(texel_at, x, y);
+    return bilinear_mix(texel_at, x, y);
   }
   /// The texel seen at a column and a row, inside the image or beyond.
   template <class Real>

@@ -147,7 +147,7 @@ template <class Texels, class Real>
     return texel_light(pyramid, level, wrapped_neighbor(sideways, column, level.width),
                        wrapped_neighbor(downward, row, level.height));
   };
-  return mixed(texel_at, x, y);
+  return bilinear_mix(texel_at, x, y);
 }
 
 }  // namespace texmap

@@ -131,15 +131,15 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
     return number_cast<double>(image.at(texel.column, texel.row));
   };
   if (!cube || (left + 1) * 3 % width != 0 || (top + 1) * 2 % height != 0)
-    return mixed(texel_at, x, y);
+    return bilinear_mix(texel_at, x, y);
   // A corner of the cube, where three texels meet: their mean takes the place of the fourth.
-  const int column = 2 * left + 1 - home.column, row = 2 * top + 1 - home.row;
+  const int across = 2 * left + 1 - home.column, down = 2 * top + 1 - home.row;
   const Color<double> three =
-      texel_at(home.column, home.row) + texel_at(column, home.row) + texel_at(home.column, row);
-  const auto with_corner = [&](double x, double y) {
-    return x == column && y == row ? three * (1.0 / 3) : texel_at(x, y);
+      texel_at(home.column, home.row) + texel_at(across, home.row) + texel_at(home.column, down);
+  const auto with_corner = [&](double column, double row) {
+    return column == across && row == down ? three * (1.0 / 3) : texel_at(column, row);
   };
-  return mixed(with_corner, x, y);
+  return bilinear_mix(with_corner, x, y);
 }
 
 Image convert_projection(const Image& image, Projection from, Projection to,
