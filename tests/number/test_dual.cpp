@@ -9,8 +9,6 @@
 #include "number/kinds/interval.hpp"
 #include "number/operations.hpp"
 #include "support/lanes.hpp"
-#include "texture/image_texture.hpp"
-#include "texture/uv.hpp"
 
 namespace texmap::test {
 namespace {
@@ -81,25 +79,6 @@ TEST_CASE_TEMPLATE("clamp keeps slopes where it guards against rounding, and not
   for (const T x : {T(1) + 4 * step, T(-0.25)}) CHECK(clamped(x).dx == 0);
   CHECK(clamped(T(1) + step).value == 1);
   CHECK(alike(clamped(std::numeric_limits<T>::quiet_NaN()).value, T(0)));
-}
-
-TEST_CASE("at a pole and for zero, derivatives are zero, infinite or NaN, and values are plain") {
-  for (const double y : {-1.0, 0.0, 1.0}) {
-    const Uv<Dual<double>> uv = uv_rtiow(Vec3<Dual<double>>{{0, 1, 0}, {y, 0, 0}, {0, 0, 1}});
-    const Uv<double> plain = uv_rtiow(Vec3<double>{0, y, 0});
-    CHECK(uv.u.value == plain.u);
-    CHECK(uv.v.value == plain.v);
-  }
-}
-
-TEST_CASE("a texture's bytes are constants: they do not change from pixel to pixel") {
-  const ImageTexture texture{Image(2, 2, {51, 102, 255})};
-  const Color<Dual<double>> color = texture(Uv<Dual<double>>{{0.3, 1, 0}, {0.6, 0, 1}});
-  const Color<double> plain = texture(Uv<double>{0.3, 0.6});
-  CHECK(color.r.value == plain.r);
-  CHECK(color.b.value == plain.b);
-  CHECK(color.g.dx == 0);
-  CHECK(color.g.dy == 0);
 }
 
 TEST_CASE("a dual of intervals encloses the slope") {

@@ -77,27 +77,6 @@ TEST_CASE_TEMPLATE("a lane holds what was put there: its number, constants, trut
   CHECK_FALSE(any(counted < Real(0)));
 }
 
-TEST_CASE_TEMPLATE("every function of a pair is that function of its halves", T, float, double) {
-  Dice dice(7);
-  for_each_function([&dice](const std::string& name, const auto& function) {
-    CAPTURE(name);
-    for (int i = 0; i < 200; ++i) {
-      const auto any_pair = [&dice] {
-        return Pack2(any_pack<Pack<T>>(dice, -0.99, 9), any_pack<Pack<T>>(dice, -0.99, 9));
-      };
-      const Pack2<Pack<T>> a = any_pair();
-      const Pack2<Pack<T>> b = any_pair();
-      const auto both = function(a, b);
-      const auto first = function(a.first, b.first);
-      const auto second = function(a.second, b.second);
-      for (std::size_t k = 0; k < lanes<Pack<T>>; ++k) {
-        REQUIRE(alike(lane(both.first, k), lane(first, k)));
-        REQUIRE(alike(lane(both.second, k), lane(second, k)));
-      }
-    }
-  });
-}
-
 // Not among them: atan2 of (0, 0) and of two infinities, where packs give NaN.
 TEST_CASE_TEMPLATE("exp, log1p and atan2 in a lane are those of a plain double, to the last bit",
                    Real, Pack<double>, Pack2<Pack<double>>) {

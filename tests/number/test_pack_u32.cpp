@@ -70,13 +70,5 @@ TEST_CASE_TEMPLATE("an integer below 2^24 is a number, and the upper 24 bits one
   }
 }
 
-TEST_CASE("plain numbers have plain 32-bit integers") {
-  CHECK(std::is_same_v<UInt<float>, std::uint32_t>);
-  CHECK(std::is_same_v<UInt<double>, std::uint32_t>);
-  CHECK(std::is_same_v<UInt<long double>, std::uint32_t>);
-  CHECK(select_less(1U, 2U, 5U, 6U) == 5U);
-  CHECK(select_less(2U, 2U, 5U, 6U) == 6U);
-}
-
 }  // namespace
 }  // namespace texmap::test

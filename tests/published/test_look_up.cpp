@@ -3,7 +3,6 @@
 // what is wrong with the daily exercise's bricks.
 #include <doctest.h>
 
-#include "number/kinds/interval.hpp"
 #include "published/brick_normals.hpp"
 #include "published/look_up.hpp"
 #include "published/mip_map.hpp"
@@ -98,20 +97,6 @@ TEST_CASE("v runs as in the image, an image without texels is black, and the cou
   }
   CHECK(shown(LookUpTexture{{Wrap::repeat, {numbered()}}}, Uv<double>{-0.1, 1.3}) == Place{7, 2});
   CHECK(shown(LookUpTexture{{Wrap::mirror, {numbered()}}}, Uv<double>{-0.1, 1.3}) == Place{0, 1});
-}
-
-TEST_CASE("intervals contain the texels of single numbers") {
-  Dice dice;
-  for (const TexelFormula formula :
-       {TexelFormula::one_weekend_2020, TexelFormula::triangle_article}) {
-    const LookUpTexture texture{{Wrap::repeat, {numbered()}}, formula};
-    for (int i = 0; i < 2000; ++i) {
-      const Uv<double> uv{dice.between(-9, 9), dice.between(-9, 9)};
-      const double red = texture(uv).r;
-      const Interval bounds = texture(Uv<Interval>{Interval(uv.u), Interval(uv.v)}).r;
-      REQUIRE((bounds.low() <= red && bounds.high() >= red));
-    }
-  }
 }
 
 /// So many texels, the light of each its number.

@@ -22,8 +22,6 @@ template <class Real>
 const Hit<Real> ground{
     .normal = {0, 1, 0}, .point = {0, 0, 0}, .outside = {0, 0, 0}, .inside = {0, 0, 0}};
 
-const std::vector<Thing> nothing;
-
 /// A list of objects that counts how often somebody looks at it.
 struct Watched {
   const std::vector<Thing>& things;
@@ -87,18 +85,6 @@ TEST_CASE_TEMPLATE(
   hit.outside = {0, Real(3.5), 0};  // already past the thing
   CHECK(sample_light(above, things, hit).cosine == Real(1));
   CHECK(sample_light(above, things, ground<Real>).cosine == Real(0));
-}
-
-TEST_CASE_TEMPLATE("with the surface's own normal the light is the plain light, to the bit", Real,
-                   float, double, long double) {
-  const PointLight light{{5, 4, 3}};
-  Dice dice(1);
-  for (int i = 0; i < 2000; ++i) {
-    const Vec3<Real> p = dice.direction<Real>();
-    const Hit<Real> hit{p, p, p, p};
-    REQUIRE(sample_light(light, nothing, hit, p).cosine ==
-            sample_light(light, nothing, hit).cosine);
-  }
 }
 
 TEST_CASE("the factor at the terminator is 0 to 1, rises with the true cosine and has no edge") {

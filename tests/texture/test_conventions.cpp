@@ -65,16 +65,6 @@ TEST_CASE_TEMPLATE("the axes have their exact places in each convention, at any 
   }
 }
 
-TEST_CASE("the north pole is in the top row of the picture in every convention") {
-  Image image(1, 2, {0, 0, 0});
-  image.at(0, 0) = {255, 255, 255};
-  for (const Convention convention : {Convention::daily, Convention::rtiow, Convention::lecture}) {
-    const ImageTexture texture{image, v_axis_of(convention)};
-    CHECK(texture(uv_of(convention, Point{0.1, 0.9, 0.2})).g == 1);
-    CHECK(texture(uv_of(convention, Point{0.1, -0.9, 0.2})).g == 0);
-  }
-}
-
 TEST_CASE("each convention is its document's own formula on 100000 points") {
   double worst_u = 0, worst_v = 0;
   constexpr int points = 100000;

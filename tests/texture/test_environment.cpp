@@ -43,16 +43,6 @@ TEST_CASE("at the centers of texels a sky has their light, between them a mix of
   }
 }
 
-TEST_CASE("the middle of the picture is at +x, its left edge at -x, +z to the left of the middle") {
-  LightImage map(4, 2);
-  map.at(1, 0) = {1, 0, 0};  // u from 1/4 to 1/2, above
-  const Environment sky(map, TexelFilter::nearest);
-  CHECK(sky(Ray<double>{{}, {1, 1, 1}}).r == 1);
-  CHECK(sky(Ray<double>{{}, {1, 1, -1}}).r == 0);
-  CHECK(sky(Ray<double>{{}, {-1, 1, 1}}).r == 0);
-  CHECK(sky(Ray<double>{{}, {1, -1, 1}}).r == 0);
-}
-
 TEST_CASE("a bilinear sky has no seam, and goes on over the poles") {
   const Environment sky(light_noise(16, 8));
   const auto light = [&](const Vec3d& d) { return sky(Ray<double>{{}, d}); };

@@ -52,23 +52,6 @@ TEST_CASE("noise and its slopes go on across the faces between cubes, also where
   }
 }
 
-TEST_CASE("noise has the mean 0 and the variance of its formula, and lies between -1 and 1") {
-  // Per axis a corner weighs (1 - s)^2 with the mean 13/35, and (1 - s)^2 t^2 has the mean 19/630,
-  // where s = 3 t^2 - 2 t^3; the square of a part of a slope has the mean 1/3.
-  const double variance = 4.0 / 9 * 8 * 3 * (19.0 / 630) * (13.0 / 35) * (13.0 / 35) / 3;
-  Dice dice;
-  constexpr int count = 200000;
-  double sum = 0, squares = 0;
-  for (int i = 0; i < count; ++i) {
-    const double here = gradient_noise(point_within(dice, 512));
-    CHECK(std::abs(here) <= 1);
-    sum += here;
-    squares += here * here;
-  }
-  CHECK(std::abs(sum / count) < 4 * std::sqrt(variance / count));
-  CHECK(squares / count == doctest::Approx(variance).epsilon(0.02));
-}
-
 TEST_CASE("the slopes at corners have nothing to do with each other, neither have their parts") {
   const auto slope_at = [](const Vec3d& corner) {
     constexpr double step = 0x1p-20;

@@ -40,26 +40,11 @@ TEST_CASE("a lamp is 17/16 as bright as it is where it is overhead, and 3/32 at 
   };
   CHECK(over_lambert(1) == doctest::Approx(17.0 / 16).epsilon(1e-4));
   CHECK(over_lambert(0) == doctest::Approx(3.0 / 32).epsilon(1e-3));
-  for (double cosine = -0.2; cosine < 1; cosine += 0.1) {
+  // Below 0 between the cosines -0.824 and -0.243: there it is 0.
+  for (double cosine = -1; cosine < 1; cosine += 0.05) {
     const double closed = 0.25 + cosine / 2 + 5.0 / 32 * (3 * cosine * cosine - 1);
-    CHECK(over_lambert(cosine) == doctest::Approx(closed).epsilon(1e-3));
+    CHECK(std::abs(over_lambert(cosine) - std::max(closed, 0.0)) < 1e-3);
   }
-}
-
-TEST_CASE("it would be below 0 between the cosines -0.824 and -0.243, and is 0 there") {
-  const Lamp lamp;
-  const SkyMoments moments((Environment(lamp.map)));
-  const auto light = [&](double cosine) {
-    return moments.reflected(at_cosine(lamp.direction, cosine)).r;
-  };
-  const double first = (-0.5 - std::sqrt(19.0 / 256)) * 16 / 15;
-  const double last = (-0.5 + std::sqrt(19.0 / 256)) * 16 / 15;
-  CHECK(first == doctest::Approx(-0.824).epsilon(1e-3));
-  CHECK(last == doctest::Approx(-0.243).epsilon(2e-3));
-  CHECK(light(first - 0.01) > 0);
-  CHECK(light(last + 0.01) > 0);
-  for (double cosine = first + 0.01; cosine < last - 0.01; cosine += 0.05)
-    CHECK(light(cosine) == 0);
 }
 
 TEST_CASE("a sky of ones gives every normal exactly its own light") {

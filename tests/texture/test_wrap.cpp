@@ -1,5 +1,5 @@
 // Tests of texture/wrap.hpp: what lies beyond the edges of an image, and of the triangle article
-// where it differs; of wrapped.hpp and floor_mapping.hpp.
+// where it differs; of floor_mapping.hpp. Textures that repeat: published/test_look_up.
 #include "texture/wrap.hpp"
 
 #include <doctest.h>
@@ -11,8 +11,7 @@
 #include "published/uv.hpp"
 #include "support/dice.hpp"
 #include "texture/floor_mapping.hpp"
-#include "texture/image_texture.hpp"
-#include "texture/wrapped.hpp"
+#include "texture/texel.hpp"
 
 namespace texmap::test {
 namespace {
@@ -44,29 +43,6 @@ TEST_CASE_TEMPLATE("repeat and mirror are those of whole numbers, at every place
   };
   CHECK(count_wrong(repeated, modulo) == 0);
   CHECK(count_wrong(mirror, mirrored_whole) == 0);
-}
-
-TEST_CASE("a coordinate wrapped at once leads to the neighbors that are wrapped one by one") {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp}) {
-    for (const int n : {1, 2, 3, 8, 37}) {
-      for (int x = -4 * n; x < 4 * n; ++x) {
-        // A quarter of a texel to the right of the middle of texel x.
-        const double place = wrapped_coordinate(wrap, (x + 0.75) / n) * n - 0.5;
-        const double left = std::floor(place);
-        const double first = wrapped_neighbor(wrap, left, static_cast<double>(n));
-        const double second = wrapped_neighbor(wrap, left + 1, static_cast<double>(n));
-        const auto at = [&](int texel) {
-          return wrapped_texel<double>(wrap, texel, 0, n, 1).column;
-        };
-        // A mirror image exchanges them, and their weights.
-        const bool turned = std::abs(place - left - 0.75) < 1e-9;
-        const bool edge = wrap == Wrap::clamp && (x < 0 || x >= n);
-        if (!edge) REQUIRE(std::abs(place - left - (turned ? 0.75 : 0.25)) < 1e-9);
-        REQUIRE((turned ? second : first) == at(x));
-        REQUIRE((turned ? first : second) == at(x + 1));
-      }
-    }
-  }
 }
 
 TEST_CASE("over a pole one comes down on the other side, half a turn on; twice is no step at all") {
@@ -142,16 +118,6 @@ TEST_CASE("every texel has the same share of a period; the article's texel 0 has
   for (const double u : {-0.99, 0.99}) CHECK(published::index_triangle(u / n, n) == 0);
 }
 
-TEST_CASE("the article mirrors at 0 and repeats at 1; mirror mirrors at both") {
-  constexpr int n = 16;
-  for (int i = 0; i < 10000; ++i) {
-    const double u = (i + 0.5) / 10000;
-    REQUIRE(published::index_triangle(-u, n) == texel(Wrap::mirror, -u, n));
-    REQUIRE(published::index_triangle(1 + u, n) == texel(Wrap::repeat, 1 + u, n));
-  }
-  CHECK(texel(Wrap::mirror, 1.1, n) == 14);
-}
-
 TEST_CASE("derivatives keep their size; in the mirror they turn round") {
   const Dual<double> u{-0.25, 3, 5};
   CHECK(wrapped_coordinate(Wrap::repeat, u).dx == 3);
@@ -173,16 +139,6 @@ TEST_CASE(
     CHECK(uv.u == row.u);
     CHECK(uv.v == row.v);
   }
-}
-
-TEST_CASE("a wrapped texture repeats its colors in u and in v") {
-  Image image(2, 2);
-  image.at(0, 0) = {255, 0, 0};
-  image.at(1, 1) = {0, 255, 0};
-  const Wrapped<ImageTexture> tiles{Wrap::repeat, {image}};
-  CHECK(tiles(Uv<double>{0.25, 0.75}).r == 1);
-  CHECK(tiles(Uv<double>{5.25, -0.25}).r == 1);
-  CHECK(tiles(Uv<double>{5.75, -0.75}).g == 1);
 }
 
 }  // namespace
