@@ -8,7 +8,6 @@
 #include <string>
 #include <thread>
 
-#include "engine/files/stopwatch.hpp"
 #include "engine/files/system.hpp"
 
 TEST_CASE(
@@ -37,29 +36,6 @@ TEST_CASE(
   order.clear();
   (void)texmap::work_times({[&] { order += 'a'; }}, 3);
   CHECK(order == "aaaa");
-}
-
-TEST_CASE("the run before the first round is not timed, and the shortest time stays") {
-  // The first run, a wait that no round repeats, would be the longest; the third, empty, is the
-  // shortest.
-  int run = 0;
-  const texmap::Stopwatch all;
-  const auto wait_until = [&](double milliseconds) {
-    const texmap::Stopwatch watch;
-    while (watch.milliseconds() < milliseconds) {
-    }
-  };
-  double first = 0, second = 0;
-  const auto times = texmap::work_times({[&] {
-                                          const texmap::Stopwatch watch;
-                                          wait_until(run == 0 ? 20 : 2);
-                                          (run == 0 ? first : second) = watch.milliseconds();
-                                          ++run;
-                                        }},
-                                        1);
-  CHECK(run == 2);
-  CHECK(times[0].wall >= second);  // at least what the work itself took the second time,
-  CHECK(times[0].wall <= all.milliseconds() - first);  // at most what was left after the first
 }
 
 TEST_CASE(
