@@ -1,4 +1,5 @@
-"""A browser without a window, driven over its own pipe: Chromium's DevTools protocol, by Python's standard library."""
+"""A browser without a window, driven over its own pipe: Chromium's DevTools protocol, by Python's
+standard library."""
 import json
 import os
 import select
@@ -7,7 +8,8 @@ import subprocess
 import tempfile
 import time
 
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--remote-debugging-pipe"]
 
 
@@ -36,8 +38,10 @@ class Browser:
             os.dup2(10, 3)
             os.dup2(11, 4)
 
-        self.process = subprocess.Popen([installed(), *FLAGS, *flags, f"--user-data-dir={self.home}", "about:blank"], preexec_fn=pipes,
-                                        close_fds=False, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.process = subprocess.Popen([installed(), *FLAGS, *flags,
+                                         f"--user-data-dir={self.home}", "about:blank"],
+                                        preexec_fn=pipes, close_fds=False, stdin=subprocess.DEVNULL,
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
         self.rest = b""
@@ -87,9 +91,12 @@ class Browser:
         if message["method"] == "Runtime.exceptionThrown":
             details = params["exceptionDetails"]
             self.log.append(details.get("exception", {}).get("description") or details["text"])
-        elif message["method"] == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning", "assert"):
-            self.log.append(" ".join(str(one.get("value", one.get("description"))) for one in params["args"]))
-        elif message["method"] == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
+        elif message["method"] == "Runtime.consoleAPICalled" and params["type"] in (
+            "error", "warning", "assert"):
+            self.log.append(" ".join(str(one.get("value", one.get("description")))
+                                     for one in params["args"]))
+        elif message["method"] == "Log.entryAdded" and params["entry"]["level"] in (
+            "error", "warning"):
             self.log.append(params["entry"]["text"] + " " + params["entry"].get("url", ""))
 
     def call(self, method, **params):
@@ -114,9 +121,11 @@ class Browser:
 
     def run(self, script):
         """The value of an expression, or what its promise gives."""
-        answer = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
+        answer = self.call("Runtime.evaluate", expression=script, awaitPromise=True,
+                           returnByValue=True)
         if "exceptionDetails" in answer:
-            raise Fault(answer["exceptionDetails"].get("exception", {}).get("description", "") + " in " + script[:200])
+            raise Fault(answer["exceptionDetails"].get("exception", {}).get("description", "")
+                        + " in " + script[:200])
         return answer["result"].get("value")
 
     def wait(self, script, seconds=60):
@@ -136,12 +145,14 @@ class Browser:
             time.sleep(0.03)
 
     def size(self, width, height):
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                  deviceScaleFactor=1, mobile=False)
 
     def media(self, **features):
         """media(prefers_color_scheme="dark")"""
         self.call("Emulation.setEmulatedMedia",
-                  features=[{"name": name.replace("_", "-"), "value": value} for name, value in features.items()])
+                  features=[{"name": name.replace("_", "-"), "value": value}
+                            for name, value in features.items()])
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
@@ -149,8 +160,10 @@ class Browser:
     def key(self, key):
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key,
-                      windowsVirtualKeyCode={"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "Escape": 27, "Tab": 9,
-                                           "PageUp": 33, "PageDown": 34, "End": 35, "Home": 36}.get(key, 0))
+                      windowsVirtualKeyCode={"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39,
+                                             "ArrowDown": 40, "Escape": 27, "Tab": 9,
+                                           "PageUp": 33, "PageDown": 34, "End": 35,
+                                             "Home": 36}.get(key, 0))
 
     def choose_file(self, selector, path):
         root = self.call("DOM.getDocument")["root"]["nodeId"]
@@ -159,7 +172,8 @@ class Browser:
 
 
 def run_checks(checks, *given, prepare=lambda browser: None, flags=()):
-    """Runs checks of pages, each in a browser of its own with these flags. What they yield and what the console logs are faults; says how many."""
+    """Runs checks of pages, each in a browser of its own with these flags. What they yield and what
+    the console logs are faults; says how many."""
     count = 0
     for check in checks:
         began = time.monotonic()

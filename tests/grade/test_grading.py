@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Grading from the command line on: folders of pictures, a small course, tables, pages and files for learning systems.
+"""Grading from the command line on: folders of pictures, a small course, tables, pages and files
+for learning systems.
 
 usage: test_grading.py PROGRAMS [TEST...]    PROGRAMS: the folder of judge_pictures
 """
@@ -29,8 +30,11 @@ GRADE = TESTS.parent / 'common/tools/grade'
 sys.path.insert(0, str(GRADE))
 import class_pages  # noqa: E402
 import pictures  # noqa: E402
-from results import (NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean, csv_cell, first_word,  # noqa: E402
-                     gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv, shown_name, with_word)
+# noqa: E402
+from results import (NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean,
+                     csv_cell, first_word,
+                     gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv,
+                     shown_name, with_word)
 from submissions import find_submissions, unpacked  # noqa: E402
 
 GLOBE, SHEET = Item('03_image_texture', '03', 'golden'), Item('04_uv_conventions', '04', 'golden')
@@ -45,7 +49,8 @@ printf 'wrong.png\\tmirrored: u runs the other way\\n' >"$3/mistakes.txt"
 
 
 def ramps(width, height):
-    return [[[x * 255 // (width - 1), y * 255 // (height - 1), (x + y) % 256] for x in range(width)] for y in range(height)]
+    return [[[x * 255 // (width - 1), y * 255 // (height - 1), (x + y) % 256] for x in range(width)]
+            for y in range(height)]
 
 
 def noise(width, height, seed):
@@ -62,8 +67,11 @@ def changed(rows, pixels, by):
 
 
 def png(rows, alpha=False):
-    """A picture's file, with the filters and the compression that the course's own files do not have."""
-    return pictures.png(len(rows[0]), len(rows), b''.join(bytes(pixel) + (b'\x80' if alpha else b'') for row in rows for pixel in row))
+    """A picture's file, with the filters and the compression that the course's own files do not
+    have."""
+    return pictures.png(len(rows[0]), len(rows),
+                        b''.join(bytes(pixel) + (b'\x80' if alpha else b'') for row in rows
+                                 for pixel in row))
 
 
 GOLDEN, LARGE = ramps(250, 40), ramps(800, 600)  # of 10000 pixels, two may be off
@@ -77,9 +85,12 @@ class Course(unittest.TestCase):
         place = tempfile.TemporaryDirectory()
         self.addCleanup(place.cleanup)
         self.at = Path(place.name)
-        self.put({'tree/chapters/03_image_texture/lesson.hpp': '', 'tree/chapters/04_uv_conventions/lesson.hpp': '',
-                  'tree/chapters/04_uv_conventions/exercises/1_a.hpp': '', 'tree/tests/chapters/test_03_image_texture.cpp': '',
-                  'tree/tests/golden/03_image_texture.png': RIGHT, 'tree/tests/golden/04_uv_conventions.png': png(LARGE),
+        self.put({'tree/chapters/03_image_texture/lesson.hpp': '',
+                  'tree/chapters/04_uv_conventions/lesson.hpp': '',
+                  'tree/chapters/04_uv_conventions/exercises/1_a.hpp': '',
+                  'tree/tests/chapters/test_03_image_texture.cpp': '',
+                  'tree/tests/golden/03_image_texture.png': RIGHT,
+                  'tree/tests/golden/04_uv_conventions.png': png(LARGE),
                   'bin/draw_mistakes': DRAWS, 'bin/wrong.png': png(noise(250, 40, 1))})
         (self.at / 'bin/draw_mistakes').chmod(0o755)
         os.symlink(PROGRAMS / 'judge_pictures', self.at / 'bin/judge_pictures')
@@ -91,12 +102,13 @@ class Course(unittest.TestCase):
             path.write_bytes(content if isinstance(content, bytes) else content.encode())
 
     def command(self, *words):
-        return [sys.executable, GRADE / 'grade.py', '--tree', self.at / 'tree', '--programs', self.at / 'bin', '--out', self.at / 'out',
-                '--work', self.at / 'work', *words]
+        return [sys.executable, GRADE / 'grade.py', '--tree', self.at / 'tree', '--programs',
+                self.at / 'bin', '--out', self.at / 'out', '--work', self.at / 'work', *words]
 
     def grade(self, *words, status=0):
         """Grades the folders that are named, from where the students' are."""
-        self.ended = subprocess.run(self.command(*words), cwd=self.at, capture_output=True, text=True, check=False)
+        self.ended = subprocess.run(self.command(*words), cwd=self.at, capture_output=True,
+                                    text=True, check=False)
         self.assertEqual(self.ended.returncode, status, self.ended.stderr)
         return self.rows() if status == 0 else None
 
@@ -113,20 +125,29 @@ class Pictures(Course):
     def test_verdicts(self):
         mirrored = [row[::-1] for row in GOLDEN]
         off = [(column, 3) for column in range(250)]
-        self.put({'tree/chapters/05_y_rotation/README.md': '', 'tree/tests/golden/05_y_rotation.png': png(noise(250, 40, 3))})
+        self.put({'tree/chapters/05_y_rotation/README.md': '',
+                  'tree/tests/golden/05_y_rotation.png': png(noise(250, 40, 3))})
         for name, (file, word, note) in (cases := {
-                'right': (png(GOLDEN, alpha=True), 'ok', 'the file has an alpha channel, which is not looked at'),
+                'right': (png(GOLDEN, alpha=True), 'ok', 'the file has an alpha channel, which is '
+                                                         'not looked at'),
                 'last bits': (png(changed(GOLDEN, off, 1)), 'ok', ''),
                 'allowed': (png(changed(GOLDEN, off[1:3], 64)), 'ok',
                             'as few as the rule allows: 2 pixels are off by more than one level'),
-                'not one more': (png(changed(GOLDEN, off[1:4], 64)), 'differs 0.03 %', '3 pixels are off by more than one level'),
-                'mirrored': (png(mirrored), 'the whole picture is mirrored', 'the whole picture is mirrored: columns run the other way; '),
+                'not one more': (png(changed(GOLDEN, off[1:4], 64)), 'differs 0.03 %',
+                                 '3 pixels are off by more than one level'),
+                'mirrored': (png(mirrored), 'the whole picture is mirrored',
+                             'the whole picture is mirrored: columns run the other way; '),
                 'drawn': (png(noise(250, 40, 1)), 'mirrored', 'mirrored: u runs the other way; '),
-                'unknown': (png(noise(250, 40, 2)), 'differs 100 %', ' pixels are off by more than one level'),
-                'another': (png(LARGE), 'a picture of chapter 04', '250 x 40; it is a picture of chapter 04'),
-                'half': (png([row[::2] for row in GOLDEN[::2]]), 'wrong size', 'it is the right picture, drawn or scaled to 1/2'),
-                'size': (png(ramps(30, 40)), 'wrong size', 'the picture has 30 x 40 pixels and should have 250 x 40'),
-                **{bad: ((TESTS / f'corpus/bad_{bad}.png').read_bytes(), 'unreadable', 'the picture cannot be read: ')
+                'unknown': (png(noise(250, 40, 2)), 'differs 100 %',
+                            ' pixels are off by more than one level'),
+                'another': (png(LARGE), 'a picture of chapter 04',
+                            '250 x 40; it is a picture of chapter 04'),
+                'half': (png([row[::2] for row in GOLDEN[::2]]), 'wrong size',
+                         'it is the right picture, drawn or scaled to 1/2'),
+                'size': (png(ramps(30, 40)), 'wrong size', 'the picture has 30 x 40 pixels and '
+                                                           'should have 250 x 40'),
+                **{bad: ((TESTS / f'corpus/bad_{bad}.png').read_bytes(), 'unreadable',
+                         'the picture cannot be read: ')
                    for bad in ('bomb_100000x100000', 'one_byte', 'trunc_idat')}}).items():
             self.put({f'class/{name}/03.png': file})
         rows = self.grade('--chapters', '3', 'class')
@@ -135,7 +156,8 @@ class Pictures(Course):
             self.assertEqual((row['verdict'], row['points'], row['picture_ok']),
                              (word, *(('1', 'yes') if word == 'ok' else ('0', 'no'))), name)
             self.assertTrue(note in row['note'] if note else row['note'] == '', row['note'])
-        self.assertEqual([rows['not one more', '03'][name] for name in ('pixels_off', 'share_off')], ['3', '0.00030000'])
+        self.assertEqual([rows['not one more', '03'][name] for name in ('pixels_off', 'share_off')],
+                         ['3', '0.00030000'])
         self.assertEqual([rows['size', '03'][name] for name in ('pixels_off', 'ssim')], ['', ''])
         # The first wrong picture has the known mistakes drawn, of this run and the next.
         self.grade('--chapters', '3', 'class')
@@ -144,18 +166,26 @@ class Pictures(Course):
         self.assertIn(f'Look at {self.at}/out/index.html\n', self.ended.stdout)
         jpeg = (TESTS / 'corpus/jpg_420.jpg').read_bytes()
         right = png(ramps(49, 35))
-        self.put({'tree/tests/golden/04_uv_conventions.png': right, 'jpegs/named_png/04.png': jpeg, 'jpegs/alone/04.jpg': jpeg,
-                  'jpegs/both/4.jpeg': jpeg, 'jpegs/both/below/uv-04.png': right, 'jpegs/photo/me_4.jpg': jpeg})
+        self.put({'tree/tests/golden/04_uv_conventions.png': right, 'jpegs/named_png/04.png': jpeg,
+                  'jpegs/alone/04.jpg': jpeg,
+                  'jpegs/both/4.jpeg': jpeg, 'jpegs/both/below/uv-04.png': right,
+                  'jpegs/photo/me_4.jpg': jpeg})
         rows = self.grade('--chapters', '4', 'jpegs')
         self.assertEqual({name: row['verdict'] for (name, _), row in rows.items()},
-                         {'named_png': 'a JPEG', 'alone': 'a JPEG', 'both': 'ok', 'photo': 'missing'})
-        self.assertIn('the file is a JPEG, which has other colors than the picture: hand in a PNG', rows['alone', '04']['note'])
+                         {'named_png': 'a JPEG', 'alone': 'a JPEG', 'both': 'ok',
+                          'photo': 'missing'})
+        self.assertIn('the file is a JPEG, which has other colors than the picture: hand in a PNG',
+                      rows['alone', '04']['note'])
 
     def test_page_shows_the_part_that_is_wrong_and_a_single_pixel_of_it(self):
         corners = [(0, 0), (799, 599)]
-        for name, pixels in {'near': [(x, 599) for x in range(700, 800)], 'nearer': [(x, 599) for x in range(700, 799)],
-                             'far': corners * 65 + [(x, 0) for x in range(99)], 'farther': corners + [(x, 0) for x in range(99)]}.items():
-            self.put({f'class/{name}/04.png': png(changed(LARGE, set(pixels) | ({(400, 300)} if name == 'far' else set()), 128))})
+        for name, pixels in {'near': [(x, 599) for x in range(700, 800)],
+                             'nearer': [(x, 599) for x in range(700, 799)],
+                             'far': corners * 65 + [(x, 0) for x in range(99)],
+                             'farther': corners + [(x, 0) for x in range(99)]}.items():
+            self.put(
+                {f'class/{name}/04.png': png(
+                    changed(LARGE, set(pixels) | ({(400, 300)} if name == 'far' else set()), 128))})
         self.put({'class/right/03.png': RIGHT, 'class/right/04.png': png(LARGE)})
         self.grade('--chapters', '04', 'class')
         pages = {name: self.text(f'{name}.html') for name in ('near', 'nearer', 'far', 'farther')}
@@ -172,36 +202,52 @@ class Pictures(Course):
 
 class Folders(Course):
     def test_pictures_are_found_under_many_names(self):
-        found = ['03_image_texture.png', '03.png', '3.PNG', 'out/03_image_texture.png', 'OUT/03_IMAGE_TEXTURE.PNG',
-                 'homework-main/out/03-globe.png', 'Chapter 3.png', 'ch03.png', 'Kap. 03.png', 'Chapter 3 final.png', 'picture_03.png',
-                 'screenshot 03.png', '03 (1).png', '03_image_texture/03.png', '09_another/03.png', 'a/b/c/03.png']
-        others = {'033.png': '033.png', 'image_texture.png': 'image_texture.png', '03.1.png': '03.1.png', '03.txt': '',
-                  '2 of 03 b.png': '2 of 03 b.png', 'IMG_0034.png': 'IMG_0034.png', 'x003.png': 'x003.png', 'a/b/c/d/03.png': '',
-                  'tests/golden/03_image_texture.png': '', '.git/03.png': '', 'lesson.hpp': "lesson.hpp, but not in a chapter's folder"}
+        found = ['03_image_texture.png', '03.png', '3.PNG', 'out/03_image_texture.png',
+                 'OUT/03_IMAGE_TEXTURE.PNG',
+                 'homework-main/out/03-globe.png', 'Chapter 3.png', 'ch03.png', 'Kap. 03.png',
+                 'Chapter 3 final.png', 'picture_03.png',
+                 'screenshot 03.png', '03 (1).png', '03_image_texture/03.png', '09_another/03.png',
+                 'a/b/c/03.png']
+        others = {'033.png': '033.png', 'image_texture.png': 'image_texture.png',
+                  '03.1.png': '03.1.png', '03.txt': '',
+                  '2 of 03 b.png': '2 of 03 b.png', 'IMG_0034.png': 'IMG_0034.png',
+                  'x003.png': 'x003.png', 'a/b/c/d/03.png': '',
+                  'tests/golden/03_image_texture.png': '', '.git/03.png': '',
+                  'lesson.hpp': "lesson.hpp, but not in a chapter's folder"}
         self.put({f'class/{i:02}/{name}': RIGHT for i, name in enumerate([*found, *others])})
         self.put({f'class/many/{name}.png': 'x' for name in 'abcdef'})
-        # The best name counts, then the place nearest to the top; two of a kind are a question; links are not followed.
+        # The best name counts, then the place nearest to the top; two of a kind are a question;
+        # links are not followed.
         self.put({'class/best/03.png': 'x', 'class/best/old/03_image_texture.png': RIGHT,
-                  'class/top/out/03.png': 'x', 'class/top/03.png': RIGHT, 'class/two/03_a.png': RIGHT, 'class/two/03_b.png': RIGHT,
+                  'class/top/out/03.png': 'x', 'class/top/03.png': RIGHT,
+                  'class/two/03_a.png': RIGHT, 'class/two/03_b.png': RIGHT,
                   'class/exercise/04.1.png': RIGHT, 'class/link/a.txt': 'x'})
-        os.symlink(self.at / 'tree/tests/golden/03_image_texture.png', self.at / 'class/link/03.png')
+        os.symlink(self.at / 'tree/tests/golden/03_image_texture.png',
+                   self.at / 'class/link/03.png')
         os.symlink(self.at / 'class/best', self.at / 'class/other')
         os.symlink(self.at / 'class/best', self.at / 'class/many/best')
         rows = self.grade('--chapters', '03,4.1', 'class')
         for i, name in enumerate([*found, *others]):
-            note = f'there is no picture 03_image_texture.png{"; found " if others.get(name) else ""}{others.get(name)}'
+            note = ('there is no picture 03_image_texture.png'
+                    f'{"; found " if others.get(name) else ""}{others.get(name)}')
             row = rows[f'{i:02}', '03']
-            self.assertEqual((row['verdict'], row['note']), ('missing', note) if name in others else ('ok', ''), name)
+            self.assertEqual((row['verdict'], row['note']),
+                             ('missing', note) if name in others else ('ok', ''), name)
         self.assertEqual(rows['many', '03']['verdict'], 'missing')
-        self.assertIn('; found a.png, b.png, c.png, d.png and 2 pictures more', rows['many', '03']['note'])
+        self.assertIn('; found a.png, b.png, c.png, d.png and 2 pictures more',
+                      rows['many', '03']['note'])
         self.assertEqual([rows[name, '03']['verdict'] for name in ('best', 'top')], ['ok', 'ok'])
-        self.assertEqual(rows['two', '03']['note'], '03_a.png or 03_b.png? Name the picture 03_image_texture.png')
+        self.assertEqual(rows['two', '03']['note'],
+                         '03_a.png or 03_b.png? Name the picture 03_image_texture.png')
         self.assertEqual(rows['link', '03']['note'], '03.png is a link; links are not followed')
-        self.assertEqual(rows['exercise', '04.1']['verdict'], 'missing')  # a picture is none of an exercise
-        self.assertIn('other                    the folder is a link; links are not followed\n', self.ended.stdout)
+        # a picture is none of an exercise
+        self.assertEqual(rows['exercise', '04.1']['verdict'], 'missing')
+        self.assertIn('other                    the folder is a link; links are not followed\n',
+                      self.ended.stdout)
 
     def test_whose_they_are(self):
-        one = "{} is graded as one student's folder; --class grades each folder in it as a student's\n"
+        one = ("{} is graded as one student's folder; --class grades each folder in it as a "
+               "student's\n")
         nobodys = "03_expected.png is nobody's: it lies next to students' folders\n"
         for files, words, names, remark in [
                 ('ada/03.png bob/out/03.png none/a.txt a.txt', 'class', 'ada bob none', ''),
@@ -210,12 +256,14 @@ class Folders(Course):
                 ('ada/03.png bob/03.png 03_expected.png', 'class', 'ada bob', nobodys),
                 ('ada/03.png bob/03.png 03_expected.png', '--one class', 'class', ''),
                 ('ada/03.png', 'class', 'ada', ''), ('ada/03.png', '--class class', 'ada', ''),
-                ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''), ('ada/out/03.png', 'class/ada', 'ada', ''),
+                ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''),
+                ('ada/out/03.png', 'class/ada', 'ada', ''),
                 ('03.png old/03.png', 'class', 'class', one.format('class')),
                 ('03.png old/03.png', '--class class', 'old', nobodys.replace('_expected', '')),
                 ('03.png notes/a.txt more/b.txt', 'class', 'class', ''),
                 ('ada/03.png eve/03.png bob/a.txt', 'class/ada class/bob', 'ada bob', ''),
-                ('a/ada/03.png a/bob/03.png b/eve/03.png b/cyd/03.png', 'class/a class/b', 'ada bob eve cyd', '')]:
+                ('a/ada/03.png a/bob/03.png b/eve/03.png b/cyd/03.png', 'class/a class/b',
+                 'ada bob eve cyd', '')]:
             with self.subTest(files, words=words):
                 shutil.rmtree(self.at / 'class', ignore_errors=True)
                 self.put({f'class/{file}': RIGHT for file in files.split()})
@@ -224,31 +272,49 @@ class Folders(Course):
                 self.assertEqual(self.ended.stderr, remark)
 
     def test_learning_systems_say_in_a_name_whose_a_file_is(self):
-        # The folder; what lies in it; and of each student the name, the id, and the picture that counts for 03.
+        # The folder; what lies in it; and of each student the name, the id, and the picture that
+        # counts for 03.
         for folder, files, students in [
-                ('canvas', ['doejane_4071_90500_03_image_texture-1.png', 'doejane_4071_90499_03_image_texture.png',
-                            'müller-lüdenscheidtjörg_LATE_4072_90501_03.png', 'de_la_cruzana_4073_90502_screenshot 03-2.png',
+                ('canvas', ['doejane_4071_90500_03_image_texture-1.png',
+                            'doejane_4071_90499_03_image_texture.png',
+                            'müller-lüdenscheidtjörg_LATE_4072_90501_03.png',
+                            'de_la_cruzana_4073_90502_screenshot 03-2.png',
                             "o'brienann_4074_90503_03.txt"],
-                 [('doejane', '4071', '03_image_texture-1.png'), ('müller-lüdenscheidtjörg', '4072', '03.png'),
+                 [('doejane', '4071', '03_image_texture-1.png'),
+                  ('müller-lüdenscheidtjörg', '4072', '03.png'),
                   ('de_la_cruzana', '4073', 'screenshot 03-2.png'), ("o'brienann", '4074', '')]),
-                ('flat', ['Jane Doe_12_assignsubmission_file_03.png', "Zoë O'Brien_13_assignsubmission_file_03.png",
-                          'Jane Doe_14_assignsubmission_file_Chapter 3.png', 'Max_15_assignsubmission_onlinetext_onlinetext.html',
+                ('flat', ['Jane Doe_12_assignsubmission_file_03.png',
+                          "Zoë O'Brien_13_assignsubmission_file_03.png",
+                          'Jane Doe_14_assignsubmission_file_Chapter 3.png',
+                          'Max_15_assignsubmission_onlinetext_onlinetext.html',
                           'Jane Doe_12_assignfeedback_file_03_image_texture.png'],
-                 [('Jane Doe', '12', '03.png'), ("Zoë O'Brien", '13', '03.png'), ('Jane Doe', '14', 'Chapter 3.png'), ('Max', '15', '')]),
-                ('week 3/moodle', ['Jo_e_12_assignsubmission_file_/out/03.png', 'Jo_e_12_assignsubmission_onlinetext_/onlinetext.html'],
+                 [('Jane Doe', '12', '03.png'), ("Zoë O'Brien", '13', '03.png'),
+                  ('Jane Doe', '14', 'Chapter 3.png'), ('Max', '15', '')]),
+                ('week 3/moodle', ['Jo_e_12_assignsubmission_file_/out/03.png',
+                                   'Jo_e_12_assignsubmission_onlinetext_/onlinetext.html'],
                  [('Jo_e', '12', '03.png')]),
-                ('board', ['A_3_jdoe_attempt_2026-11-20-13-45-07_03.png', 'A_3_jdoe_attempt_2026-11-21-13-45-07_03.png',
-                           'A_3_jdoe_attempt_2026-11-20-13-45-07.txt', 'A_3_max_m_attempt_2026-11-20-13-45-07_03.png'],
+                ('board', ['A_3_jdoe_attempt_2026-11-20-13-45-07_03.png',
+                           'A_3_jdoe_attempt_2026-11-21-13-45-07_03.png',
+                           'A_3_jdoe_attempt_2026-11-20-13-45-07.txt',
+                           'A_3_max_m_attempt_2026-11-20-13-45-07_03.png'],
                  [('Jane Doe', 'jdoe', '21-13-45-07_03.png'), ('max_m', 'max_m', '07_03.png')]),
-                ('alone', ['A_3_max_attempt_2026-11-20-13-45-07_03.png'], [('max', 'max', '03.png')]),
-                ('nobody', ['800_600_03.png', '03_image_800_600_a.png'], [('nobody', '', '03_image_800_600_a.png')])]:
+                ('alone', ['A_3_max_attempt_2026-11-20-13-45-07_03.png'],
+                 [('max', 'max', '03.png')]),
+                ('nobody', ['800_600_03.png', '03_image_800_600_a.png'],
+                 [('nobody', '', '03_image_800_600_a.png')])]:
             for file in files:  # Apple's systems write names apart
-                self.put({unicodedata.normalize('NFD', f'{folder}/{file}'): 'Name: Jane Doe (jdoe)\nAssignment: A_3\n'})
-            ways = [[f'{self.at}/{folder.partition("/")[0]}'], sorted(map(str, (self.at / folder).iterdir()))]
+                self.put(
+                    {unicodedata.normalize('NFD',
+                                           f'{folder}/{file}'): 'Name: Jane Doe (jdoe)\n'
+                                                                'Assignment: A_3\n'})
+            ways = [[f'{self.at}/{folder.partition("/")[0]}'],
+                    sorted(map(str, (self.at / folder).iterdir()))]
             for paths in ways[:1] if folder == 'nobody' else ways:
                 found, remarks = find_submissions(paths, [GLOBE])
-                self.assertEqual((sorted((one.person, one.id) for one in found), remarks), (sorted(one[:2] for one in students), []))
-                pictures = {(one.person, one.id): one.pictures.get(GLOBE.name, ('none',))[0] for one in found}
+                self.assertEqual((sorted((one.person, one.id) for one in found), remarks),
+                                 (sorted(one[:2] for one in students), []))
+                pictures = {(one.person, one.id): one.pictures.get(GLOBE.name, ('none',))[0]
+                            for one in found}
                 for name, id, picture in students:
                     self.assertTrue(pictures[name, id].endswith(picture or 'none'), pictures)
 
@@ -261,97 +327,137 @@ class Folders(Course):
         with mock.patch('submissions.MOST_BYTES', 2 * len(RIGHT) - 1):
             self.assertIsNone(unpacked(f'{self.at}/work.zip'))
         self.put({'nested/a.txt': ''})
-        with zipfile.ZipFile(self.at / 'nested/ada.zip', 'w') as packed:  # a student's zip may not hold thousands more
+        # a student's zip may not hold thousands more
+        with zipfile.ZipFile(self.at / 'nested/ada.zip', 'w') as packed:
             packed.writestr('work.zip', inner.getvalue())
-        self.assertEqual([one.seen for one in find_submissions([f'{self.at}/nested'], [GLOBE])[0]], ['work.zip, which is not read'])
+        self.assertEqual([one.seen for one in find_submissions([f'{self.at}/nested'], [GLOBE])[0]],
+                         ['work.zip, which is not read'])
         with zipfile.ZipFile(self.at / 'class.zip', 'w') as packed:
-            for name, content in {'müllerjörg_1_11_03.png': RIGHT, 'doejane_2_12_work.zip': inner.getvalue(), 'liwei_3_13_03.png': 'x',
-                                  'smithann_4_14_broken.zip': 'PK', 'smithann_5_15_03.png': RIGHT}.items():
+            for name, content in {'müllerjörg_1_11_03.png': RIGHT,
+                                  'doejane_2_12_work.zip': inner.getvalue(),
+                                  'liwei_3_13_03.png': 'x', 'smithann_4_14_broken.zip': 'PK',
+                                  'smithann_5_15_03.png': RIGHT}.items():
                 packed.writestr(name, content)
-        self.put({'class.csv': '\ufeffStudent;ID;Section\n    Points Possible;;\n"Müller, Jörg";1;A\n"Doe, Jane";2;A\n"Smith, Ann";4;A\n'
+        self.put({'class.csv': '\ufeffStudent;ID;Section\n    Points Possible;;\n'
+                               '"Müller, Jörg";1;A\n"Doe, Jane";2;A\n"Smith, Ann";4;A\n'
                                '"Smith, Ann";5;A\n"Absent, Eve";6;A\n"Student, Test";9;A\n',
-                  'out/overrides.csv': 'name,chapter,points,note\n"Doe, Jane",,7.5,oral\n4,3,1,by mail\n'})
+                  'out/overrides.csv': 'name,chapter,points,note\n"Doe, Jane",,7.5,oral\n'
+                                       '4,3,1,by mail\n'})
         for run in range(2):  # what was written by hand stays
-            self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--points', '3=2.5', '--format', 'gradescope')
+            self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--points',
+                       '3=2.5', '--format', 'gradescope')
             rows = csv.DictReader(io.StringIO(self.text('points.csv').removeprefix('\ufeff')))
-            self.assertEqual([(row['person'], row['id'], row['points'], row['of'], row['note']) for row in rows], [
-                ('Jane Doe', '2', '7.5', '2.5', 'points by hand: oral'), ('liwei', '3', '0', '2.5', ''),
-                ('Jörg Müller', '1', '2.5', '2.5', ''), ('Ann Smith', '4', '1', '2.5', ''), ('Ann Smith', '5', '2.5', '2.5', ''),
+            self.assertEqual([(row['person'], row['id'], row['points'], row['of'], row['note'])
+                              for row in rows], [
+                ('Jane Doe', '2', '7.5', '2.5', 'points by hand: oral'),
+                ('liwei', '3', '0', '2.5', ''),
+                ('Jörg Müller', '1', '2.5', '2.5', ''), ('Ann Smith', '4', '1', '2.5', ''),
+                ('Ann Smith', '5', '2.5', '2.5', ''),
                 ('Eve Absent', '6', '0', '2.5', 'handed in nothing')])
-        self.assertTrue(self.ended.stdout.startswith("5 students in Canvas's flat files, 4 pictures\n"))
+        self.assertTrue(self.ended.stdout.startswith("5 students in Canvas's flat files, 4 "
+                                                     "pictures\n"))
         self.assertIn('liwei (3)\nhanded in nothing: Eve Absent (6)\n', self.ended.stderr)
-        self.assertIn('1 of 2.5  Ann Smith (4)            missing; found broken.zip, which', self.ended.stdout)
-        self.assertIn('found broken.zip, which is not read; points by hand: by mail', self.text('Ann_Smith__4_.html'))
+        self.assertIn('1 of 2.5  Ann Smith (4)            missing; found broken.zip, which',
+                      self.ended.stdout)
+        self.assertIn('found broken.zip, which is not read; points by hand: by mail',
+                      self.text('Ann_Smith__4_.html'))
         test = json.loads(self.text('Ann_Smith__4_.results.json'))['tests'][0]
         self.assertEqual((test['score'], test['max_score'], test['status']), (1, 2.5, 'failed'))
         # A list whose ids are others, such as a number for each line, is joined by names.
-        self.put({'class.csv': 'ID,Last name,First name\n2,Müller,Jörg\n1,Doe,Jane\n3,Absent,Eve\n8,Smith,Ann\n9,Smith,Ann\n'})
-        self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--overrides', 'class/none', status=2)
-        self.assertRegex(self.ended.stderr, r'(?s)several of the name: liwei \(3\); smithann \(4\); smithann \(5\)\n'
+        self.put({'class.csv': 'ID,Last name,First name\n2,Müller,Jörg\n1,Doe,Jane\n3,Absent,Eve\n'
+                               '8,Smith,Ann\n9,Smith,Ann\n'})
+        self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--overrides',
+                   'class/none', status=2)
+        self.assertRegex(self.ended.stderr,
+                         r'(?s)several of the name: liwei \(3\); smithann \(4\); smithann \(5\)\n'
                                r'handed in nothing: Eve Absent \(3\)\n.*No such file')
         self.put({'class.csv': 'Section\nA\n', 'out/overrides.csv': 'name,points\nnobody,1\n'})
-        for words, why in {'--class-list class.csv class.zip': 'class.csv: no line names the columns id or name or last first',
-                           'class.zip': 'overrides.csv, line 2: no student is nobody'}.items():
+        for words, why in {
+            '--class-list class.csv class.zip': 'class.csv: no line names the columns id or name '
+                                                'or last first',
+            'class.zip': 'overrides.csv, line 2: no student is nobody'}.items():
             self.grade('--chapters', '3', *words.split(), status=2)
             self.assertIn(why, self.ended.stderr)
 
     def test_chapters_are_found_in_several_layouts(self):
         for i, (file, checkout) in enumerate({
-                'chapters/03_image_texture/lesson.hpp': '.', 'Chapters/03_image_texture/lesson.hpp': 'Chapters',
-                '03_image_texture/lesson.hpp': '.', 'homework/03_image_texture/lesson.hpp': 'homework',
-                'texmap-main/chapters/03_image_texture/lesson.hpp': 'texmap-main', '04_uv_conventions/exercises/1_b.hpp': '.',
-                '09_another/lesson.hpp': None}.items()):
+                'chapters/03_image_texture/lesson.hpp': '.',
+                'Chapters/03_image_texture/lesson.hpp': 'Chapters',
+                '03_image_texture/lesson.hpp': '.',
+                'homework/03_image_texture/lesson.hpp': 'homework',
+                'texmap-main/chapters/03_image_texture/lesson.hpp': 'texmap-main',
+                '04_uv_conventions/exercises/1_b.hpp': '.', '09_another/lesson.hpp': None}.items()):
             self.put({f'{i}/{file}': 'x', f'{i}/ada/03.png': 'x', f'{i}/bob/03.png': 'x'})
-            found, remarks = find_submissions([f'{self.at}/{i}'], [GLOBE, Item('04.1', '04.1', exercise='/04_uv_conventions/')])
+            found, remarks = find_submissions([f'{self.at}/{i}'],
+                                              [GLOBE, Item('04.1', '04.1',
+                                                           exercise='/04_uv_conventions/')])
             here = checkout in ('.', 'Chapters')  # else the others may be students, too
             self.assertEqual((len(found), len(remarks)), (1, 1) if here else (3, 0), file)
-            checkouts = [os.path.relpath(one.checkout, self.at / str(i)) for one in found if one.checkout]
+            checkouts = [os.path.relpath(one.checkout, self.at / str(i)) for one in found
+                         if one.checkout]
             self.assertEqual(checkouts, [checkout] if checkout else [])
 
     def test_names_in_any_script_stay_and_harm_nothing(self):
         names = ['王小明', '=1+1', 'Ada', 'ada', 'index', '<script>', 'a\x1b[31mb', 'a\u202eb']
-        shown = {name: name for name in names[:6]} | {names[6]: 'a[31mb', names[7]: 'ab', '=1+1': "'=1+1"}
+        shown = {name: name for name in names[:6]} | {names[6]: 'a[31mb', names[7]: 'ab',
+                                                      '=1+1': "'=1+1"}
         if sys.platform.startswith('linux'):  # other systems make no such names
             names += ['M\udcfcller', 'M\udc81ller', 'tab\there']
             shown |= {'M\udcfcller': 'Müller', 'M\udc81ller': 'M\\x81ller', 'tab\there': 'tab here'}
-        self.put({f'class/{name}/03.png': RIGHT for name in names[:-1]} | {f'class/{names[-1]}/03.png': 'x'})
+        self.put({f'class/{name}/03.png': RIGHT for name in names[:-1]}
+                 | {f'class/{names[-1]}/03.png': 'x'})
         rows = self.grade('--chapters', '3', 'class')
         self.assertEqual({name for name, _ in rows}, {shown[name] for name in names})
         index = self.text('index.html')
         self.assertNotRegex(index, '<script>(?!\nconst table)|\x1b|\u202e')
         self.assertIn('<bdi>&lt;script&gt;</bdi>', index)
-        self.assertEqual(page_names(['ada', 'Ada', '王小', '李小红', 'index', 'a/..b', 'Müller', 'Möller']),
-                         ['ada', 'Ada-2', 'student', 'student-2', 'index-2', 'a___b', 'M__ller', 'M__ller-2'])
+        self.assertEqual(page_names(['ada', 'Ada', '王小', '李小红', 'index', 'a/..b', 'Müller',
+                                     'Möller']),
+                         ['ada', 'Ada-2', 'student', 'student-2', 'index-2', 'a___b', 'M__ller',
+                          'M__ller-2'])
 
 
 class Runs(Course):
     def test_wrong_command_lines_say_what_helps(self):
         self.put({'file': '', 'class/ada/03.png': RIGHT})
-        for words, why in {'': 'DIR is missing', 'nowhere': "there is no folder 'nowhere'", 'file': 'there is nothing to grade',
-                           '--chapters 99 class': "there is no chapter '99', and no exercise", '--chapters 04.9 class': "'04.9', and no",
-                           '--chapters 03, class': "'03,' has a comma with nothing before or", '--format pdf class': '--format ',
-                           '--points 03=x class': "--points takes such as 02=2,02.1=0.5, not '03=x'",
-                           '--one --class class': '--one and --class exclude each other', '--nope class': '--nope',
+        for words, why in {'': 'DIR is missing', 'nowhere': "there is no folder 'nowhere'",
+                           'file': 'there is nothing to grade',
+                           '--chapters 99 class': "there is no chapter '99', and no exercise",
+                           '--chapters 04.9 class': "'04.9', and no",
+                           '--chapters 03, class': "'03,' has a comma with nothing before or",
+                           '--format pdf class': '--format ',
+                           '--points 03=x class':
+                               "--points takes such as 02=2,02.1=0.5, not '03=x'",
+                           '--one --class class': '--one and --class exclude each other',
+                           '--nope class': '--nope',
                            '--jobs x class': "--jobs takes a whole number from 0 to 1024, not 'x'",
-                           '--megabytes 1 class': '--megabytes takes a whole number from 64 to 1048576'}.items():
+                           '--megabytes 1 class':
+                               '--megabytes takes a whole number from 64 to 1048576'}.items():
             self.grade(*words.split(), status=2)
             self.assertRegex(self.ended.stderr, '(?m)^error: .*' + re.escape(why))
-        rows = self.grade('class/ada', '--chapters', '3, 04.1 ,exercises', 'file')  # words and folders in any order
+        # words and folders in any order
+        rows = self.grade('class/ada', '--chapters', '3, 04.1 ,exercises', 'file')
         self.assertEqual(list(rows), [('ada', '03'), ('ada', '04.1')])
         self.assertEqual(self.ended.stderr, 'skipped, not a folder: file\n')
-        self.assertEqual(list(self.grade('class/ada')), [('ada', '03'), ('ada', '04')])  # no exercise if none is asked for
+        # no exercise if none is asked for
+        self.assertEqual(list(self.grade('class/ada')), [('ada', '03'), ('ada', '04')])
 
     def test_who_has_nothing_has_one_word_for_all(self):
         self.put({'class/bob/05.png': RIGHT, 'class/none/a.txt': ''})
         self.grade('class')
-        self.assertIn('0 of 2    bob                      missing; found 05.png\n', self.ended.stdout)
-        self.assertIn('0 of 2    none                     no chapter and no picture found\n', self.ended.stdout)
+        self.assertIn('0 of 2    bob                      missing; found 05.png\n',
+                      self.ended.stdout)
+        self.assertIn('0 of 2    none                     no chapter and no picture found\n',
+                      self.ended.stdout)
 
     def test_formats_leave_a_file_with_the_pages_name_where_there_are_several(self):
         self.put({'class/ada/03.png': RIGHT, 'class/bob/03.png': RIGHT})
-        for name, file in {'gradescope': 'results.json', 'classroom': 'classroom.json', 'junit': 'junit.xml'}.items():
+        for name, file in {'gradescope': 'results.json', 'classroom': 'classroom.json',
+                           'junit': 'junit.xml'}.items():
             self.grade('--chapters', '3', '--format', name, 'class/ada')
-            self.assertEqual('::notice title=Autograding complete::Points 1/1\n' in self.ended.stdout, name == 'classroom')
+            self.assertEqual(
+                '::notice title=Autograding complete::Points 1/1\n' in self.ended.stdout,
+                name == 'classroom')
             self.assertTrue((self.at / 'out' / file).exists())
             self.grade('--chapters', '3', '--format', name, 'class')
             self.assertTrue((self.at / 'out' / f'bob.{file}').exists())
@@ -364,16 +470,20 @@ class Runs(Course):
                 fcntl.flock(other, fcntl.LOCK_EX)
                 self.grade('--chapters', '3', *words, status=2)
             if folder == 'out' or sys.platform.startswith('linux'):
-                self.assertIn(f"another ./course grade is using the folder '{self.at}/{folder}'; wait for it, or name another folder with "
+                self.assertIn(f"another ./course grade is using the folder '{self.at}/{folder}'; "
+                              "wait for it, or name another folder with "
                               f'--{folder}\n', self.ended.stderr)
         # What was graded before stays. The tests count for all, if anyone hands in a checkout.
-        self.assertIn('"class/bob","bob","1","2","1","bob","","","bob","",""\r\n', self.text('points.csv'))
+        self.assertIn('"class/bob","bob","1","2","1","bob","","","bob","",""\r\n',
+                      self.text('points.csv'))
         self.assertEqual(self.rows()['bob', '03']['verdict'], 'no tests')
 
     def test_a_run_that_is_ended_keeps_what_is_done_and_ends_what_runs(self):
         self.put({'class/ada/03.png': RIGHT, 'class/eve/03.png': png(noise(250, 40, 5)),
-                  'bin/draw_mistakes': '#!/bin/sh\necho $$ >"$(dirname "$0")/begun"\nexec sleep 1000\n'})
-        with subprocess.Popen(self.command('--chapters', '3', 'class'), cwd=self.at, stdout=subprocess.PIPE) as run:
+                  'bin/draw_mistakes': '#!/bin/sh\necho $$ >"$(dirname "$0")/begun"\n'
+                                       'exec sleep 1000\n'})
+        with subprocess.Popen(self.command('--chapters', '3', 'class'), cwd=self.at,
+                              stdout=subprocess.PIPE) as run:
             begun = self.at / 'bin/begun'
             while run.poll() is None and not (begun.exists() and begun.read_text()):
                 time.sleep(0.02)
@@ -383,7 +493,8 @@ class Runs(Course):
         with self.assertRaises(ProcessLookupError):
             os.kill(int(begun.read_text()), 0)
         self.assertEqual(list(self.rows()), [('ada', '03')])
-        self.assertIn('<p>1 student graded of 2: the run was ended before the others', self.text('index.html'))
+        self.assertIn('<p>1 student graded of 2: the run was ended before the others',
+                      self.text('index.html'))
 
 
 class Results(unittest.TestCase):
@@ -391,44 +502,57 @@ class Results(unittest.TestCase):
 
     @staticmethod
     def row(item=GLOBE, picture=True, passed=5, note='', **other):
-        row = Row(item, 'ok' if picture else 'mirrored', note, 'ok', 'ok', 'bwrap', '1.5', '5.0', None, picture, with_tests=True,
-                  tests_passed=passed, tests_run=5)
+        row = Row(item, 'ok' if picture else 'mirrored', note, 'ok', 'ok', 'bwrap', '1.5', '5.0',
+                  None, picture, with_tests=True, tests_passed=passed, tests_run=5)
         for name, value in other.items():
             setattr(row, name, value)
         return row
 
     def students(self):
-        exercise = Item('02.1', '02.1', exercise='chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp')
+        exercise = Item('02.1', '02.1',
+                        exercise='chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp')
         right = self.row(exercise, tests_passed=1, tests_run=1)
-        broken = self.row(SHEET, False, 0, "lesson.hpp:7: error: expected ';'", build='does not build', tests_run=0)
+        broken = self.row(SHEET, False, 0, "lesson.hpp:7: error: expected ';'",
+                          build='does not build', tests_run=0)
         broken.word = broken.build
         evil = self.row(picture=False, passed=4, note=EVIL)
-        return [Student('s/ada', 'ada', 'ada', '', [self.row(), right]), Student(f's/{EVIL}', EVIL, 'evil', EVIL, [evil]),
-                Student('s/bob', 'bob', 'bob', '', [broken, self.row()]), Student('s/eve', 'eve', 'eve', '', [broken])]
+        return [Student('s/ada', 'ada', 'ada', '', [self.row(), right]),
+                Student(f's/{EVIL}', EVIL, 'evil', EVIL, [evil]),
+                Student('s/bob', 'bob', 'bob', '', [broken, self.row()]),
+                Student('s/eve', 'eve', 'eve', '', [broken])]
 
     def test_text_is_made_safe(self):
-        for text, cell in {'ada': 'ada', 'say "hi"': 'say ""hi""', '=1+1': "'=1+1", ' =1+1': " '=1+1", '\u3000=1': "\u3000'=1",
-                           '＝1+1': "'＝1+1", '"=1': '""\'=1', 'x\n=1': 'x =1', 'a-b = c': 'a-b = c', '\x1b@': "'@"}.items():
+        for text, cell in {'ada': 'ada', 'say "hi"': 'say ""hi""', '=1+1': "'=1+1",
+                           ' =1+1': " '=1+1", '\u3000=1': "\u3000'=1",
+                           '＝1+1': "'＝1+1", '"=1': '""\'=1', 'x\n=1': 'x =1', 'a-b = c': 'a-b = c',
+                           '\x1b@': "'@"}.items():
             self.assertEqual(csv_cell(text), f'"{cell}"')
         self.assertEqual(clean('a\nb\tc\x1b[31m\x7f\u202e\udcff'), 'a b c[31m\ufffd')
         self.assertEqual(shown_name('\ufffd'), '\ufffd')
         self.assertEqual(padded('王小明', 8), '王小明  ')
-        for note, word in {'std::fmod keeps the sign: tried -1; yours -1': 'std::fmod keeps the sign', 'not yet; tried: 1': 'not yet',
-                           'mirrored': 'mirrored'}.items():
+        for note, word in {
+            'std::fmod keeps the sign: tried -1; yours -1': 'std::fmod keeps the sign',
+            'not yet; tried: 1': 'not yet',
+            'mirrored': 'mirrored'}.items():
             self.assertEqual((first_word(note), with_word(word, note)), (word, note))
-        self.assertEqual((with_word('hang', 'it was stopped'), with_word('missing', '')), ('hang: it was stopped', 'missing'))
+        self.assertEqual((with_word('hang', 'it was stopped'), with_word('missing', '')),
+                         ('hang: it was stopped', 'missing'))
 
     def test_tables(self):
         students = self.students()
         grades, points = grades_csv(students), points_csv(students)
         self.assertTrue(grades.startswith(
-            '\ufeff"student","chapter","build","run","seconds","pixels_off","share_off","rmse","ssim","picture_ok","tests","note",'
-            '"verdict","points","of","second_picture_ok","limit_seconds","contained_by","folder","unchanged","same_as","id","person"\r\n'
-            '"ada","03_image_texture","ok","ok","1.5","","","","","yes","5 of 5","","ok","2","2","","5.0","bwrap","s/ada","","","",""\r\n'
-            '"ada","02.1","ok","ok","1.5","","","","","","1 of 1","","ok","1","1","","5.0","bwrap","s/ada","","","",""\r\n'))
+            '\ufeff"student","chapter","build","run","seconds","pixels_off","share_off","rmse",'
+            '"ssim","picture_ok","tests","note","verdict","points","of","second_picture_ok",'
+            '"limit_seconds","contained_by","folder","unchanged","same_as","id","person"\r\n'
+            '"ada","03_image_texture","ok","ok","1.5","","","","","yes","5 of 5","","ok","2","2",'
+            '"","5.0","bwrap","s/ada","","","",""\r\n'
+            '"ada","02.1","ok","ok","1.5","","","","","","1 of 1","","ok","1","1",'
+            '"","5.0","bwrap","s/ada","","","",""\r\n'))
         students[0].all_rows.append(None)
         self.assertTrue(points_csv(students).startswith(
-            '\ufeff"folder","name","points","of","chapters","page","note","id","person","unchanged","same_as"\r\n'
+            '\ufeff"folder","name","points","of","chapters","page","note","id","person",'
+            '"unchanged","same_as"\r\n'
             '"s/ada","ada","3","3","2","ada","ended with 2 of 3 graded","","","",""\r\n'))
         students[2].all_rows[0].containment = 'none'
         for table in (grades_csv(students), points_csv(students)):
@@ -436,14 +560,16 @@ class Results(unittest.TestCase):
         self.assertNotIn(NOT_CONTAINED, grades + points)
 
     def test_class_page_has_the_worst_first_and_a_row_of_sums(self):
-        students = [Student(f's/{i}', f'student {i}', f's{i}', '', [Row(GLOBE, 'ok', picture_ok=True), Row(SHEET, 'ok', picture_ok=True)])
+        students = [Student(f's/{i}', f'student {i}', f's{i}', '',
+                            [Row(GLOBE, 'ok', picture_ok=True), Row(SHEET, 'ok', picture_ok=True)])
                     for i in range(200)]
         for i in range(150, 187):
             students[i].all_rows[0] = Row(GLOBE, 'mirrored')
         for i, word in enumerate(('differs 3 %', 'black', 'gray')):
             students[190 + i].all_rows[0] = Row(GLOBE, word)
         page = class_pages.class_page('@BODY@', [GLOBE, SHEET], students, 200)
-        self.assertIn('<td>160 right<br>37 mirrored<br>1 black<br>1 differ<br>1 other</td><td>all right</td>', page)
+        self.assertIn('<td>160 right<br>37 mirrored<br>1 black<br>1 differ<br>1 other</td><td>all '
+                      'right</td>', page)
         self.assertLess(page.index('student 150<'), page.index('student 0<'))
         self.assertIn('<a href="s150.html">', page)
         self.assertNotIn('<a href="s7.html">', page)
@@ -462,47 +588,64 @@ class Results(unittest.TestCase):
             self.assertNotRegex(page, '<script|\x1b')
             self.assertIn('&lt;script&gt;', page)
             self.assertRegex(page, '^(<title>.*</title>)?<p class="verdict bad">NOT CONTAINED')
-        self.assertIn('pre { white-space: pre-wrap', class_pages.student_page('@STYLE@', students[1]))
-        self.assertIn('<h2>Right</h2>\n<p>03_image_texture</p>', class_pages.student_page('@BODY@', students[2]))
+        self.assertIn('pre { white-space: pre-wrap',
+                      class_pages.student_page('@STYLE@', students[1]))
+        self.assertIn('<h2>Right</h2>\n<p>03_image_texture</p>',
+                      class_pages.student_page('@BODY@', students[2]))
 
     def test_formats_have_what_each_system_reads(self):
         ada, evil, bob, eve = self.students()
-        why, sheet, globe = "does not build: lesson.hpp:7: error: expected ';'", '04_uv_conventions', '03_image_texture'
+        why, sheet, globe = ("does not build: lesson.hpp:7: error: expected ';'",
+                             '04_uv_conventions', '03_image_texture')
         # Item, what of it, number, points, message and seconds: a program's time is counted once.
         tests = [(sheet, 'the picture', '4.1', 0, why, 1.5), (sheet, 'the tests', '4.2', 0, why, 0),
                  (globe, 'the picture', '3.1', 1, '', 1.5), (globe, 'the tests', '3.2', 1, '', 0)]
         self.assertEqual(json.loads(gradescope_json(bob)), {
-            'score': 2, 'execution_time': 3, 'output': '2 of 4 points', 'output_format': 'text', 'test_output_format': 'text',
-            'visibility': 'visible', 'stdout_visibility': 'hidden', 'extra_data': {'folder': 's/bob'},
-            'tests': [{'name': f'{item}: {what}', 'number': number, 'score': points, 'max_score': 1, 'output': message,
-                       'status': ('failed', 'passed')[points], 'output_format': 'text', 'tags': [item], 'visibility': 'visible'}
+            'score': 2, 'execution_time': 3, 'output': '2 of 4 points', 'output_format': 'text',
+            'test_output_format': 'text', 'visibility': 'visible', 'stdout_visibility': 'hidden',
+            'extra_data': {'folder': 's/bob'},
+            'tests': [{'name': f'{item}: {what}', 'number': number, 'score': points, 'max_score': 1,
+                       'output': message,
+                       'status': ('failed', 'passed')[points], 'output_format': 'text',
+                       'tags': [item], 'visibility': 'visible'}
                       for item, what, number, points, message, _ in tests]})
         self.assertEqual(json.loads(classroom_json(bob)), {
             'version': 1, 'status': 'fail', 'max_score': 4,
-            'tests': [{'name': f'{item}: {what}', 'status': ('error', 'pass')[points], 'score': points, 'message': message,
-                       'test_code': f'./course grade --chapters {item}', 'filename': f'chapters/{item}/lesson.hpp', 'line_no': 1,
-                       'duration': 1000 * seconds} for item, what, _, points, message, seconds in tests]})
-        self.assertEqual([json.loads(classroom_json(one))['status'] for one in (ada, evil, eve)], ['pass', 'fail', 'error'])
-        self.assertEqual(json.loads(classroom_json(ada))['tests'][2]['filename'], ada.rows[1].item.exercise)
+            'tests': [{'name': f'{item}: {what}', 'status': ('error', 'pass')[points],
+                       'score': points, 'message': message,
+                       'test_code': f'./course grade --chapters {item}',
+                       'filename': f'chapters/{item}/lesson.hpp', 'line_no': 1,
+                       'duration': 1000 * seconds} for item, what, _, points, message,
+                      seconds in tests]})
+        self.assertEqual([json.loads(classroom_json(one))['status'] for one in (ada, evil, eve)],
+                         ['pass', 'fail', 'error'])
+        self.assertEqual(json.loads(classroom_json(ada))['tests'][2]['filename'],
+                         ada.rows[1].item.exercise)
         exercise = json.loads(gradescope_json(ada))['tests'][2]
         self.assertEqual((exercise['number'], exercise['name']), ('2.E1', '02.1: the exercise'))
-        self.assertEqual(classroom_notices(evil), '::notice title=Autograding complete::Points 0/2\n'
+        self.assertEqual(classroom_notices(evil),
+                         '::notice title=Autograding complete::Points 0/2\n'
                          '::notice title=Autograding report::{"totalPoints": 0, "maxPoints": 2}\n')
         for student, counts in ((ada, [3, 0, 0]), (evil, [2, 2, 0]), (bob, [4, 0, 2])):
             suite = xml.dom.minidom.parseString(junit_xml(student)).documentElement
-            self.assertEqual([len(suite.getElementsByTagName(kind)) for kind in ('testcase', 'failure', 'error')], counts)
-            self.assertEqual([int(suite.getAttribute(name)) for name in ('tests', 'failures', 'errors')], counts)
+            self.assertEqual([len(suite.getElementsByTagName(kind))
+                              for kind in ('testcase', 'failure', 'error')], counts)
+            self.assertEqual([int(suite.getAttribute(name))
+                              for name in ('tests', 'failures', 'errors')], counts)
         self.assertNotIn('\x1b', junit_xml(evil))
         evil.rows[0].containment = 'none'
         self.assertTrue(json.loads(gradescope_json(evil))['output'].startswith('NOT CONTAINED'))
 
     def test_messages_say_the_reason_once_and_not_at_length(self):
-        mirrored = self.row(picture=False, passed=0, note="mirrored: columns run; tests: the texture's left half: is blue")
+        mirrored = self.row(picture=False, passed=0,
+                            note="mirrored: columns run; tests: the texture's left half: is blue")
         failed = self.row(SHEET, passed=0, note='tests: the pole: is red', word='tests 0 of 5')
         long = self.row(picture=False, passed=0, note='x' * 100000)
-        tests = json.loads(gradescope_json(Student('s/ada', 'ada', 'ada', '', [mirrored, failed, long])))['tests']
+        tests = json.loads(gradescope_json(Student('s/ada', 'ada', 'ada', '',
+                                                   [mirrored, failed, long])))['tests']
         self.assertEqual([test['output'] for test in tests[:4]],
-                         [mirrored.note, "0 of 5 tests passed: the texture's left half: is blue", '',
+                         [mirrored.note,
+                          "0 of 5 tests passed: the texture's left half: is blue", '',
                           '0 of 5 tests passed: the pole: is red'])
         self.assertLess(len(tests[4]['output']), 65535)  # else a learning system refuses it
 

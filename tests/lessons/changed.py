@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The lessons that a page tells its reader to change, changed: the page's own code, in the chapter's own lesson.
+"""The lessons that a page tells its reader to change, changed: the page's own code, in the
+chapter's own lesson.
 
 usage: changed.py PAGE CHAPTERS OUT NAME...    writes OUT/NAME.hpp for each change
 
@@ -9,14 +10,15 @@ In the page, a mark comes before each piece of a change, and then a block of cod
     <!-- change: stripes 02_checkerboard_uv replaces "using Paint" -->
     <!-- change: plain 01_plain_spheres replaces "template <class Real>" to "    });" -->
 
-The code goes above or below the one line of the lesson that has the text, or replaces it, or that line and all up to the next with the
-second text. `removes` takes the line away and has no block. A change has at most fifteen lines of code, and all are tried here.
-"""
+The code goes above or below the one line of the lesson that has the text, or replaces it, or that
+line and all up to the next with the second text. `removes` takes the line away and has no block. A
+change has at most fifteen lines of code, and all are tried here."""
 import pathlib
 import re
 import sys
 
-MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: to "([^"]*)")? -->\n'
+MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: '
+                  r'to "([^"]*)")? -->\n'
                   r'(?:```cpp\n(.*?)^```$)?', re.MULTILINE | re.DOTALL)
 MOST = 15
 
@@ -26,7 +28,8 @@ class Fault(Exception):
 
 
 def pieces_of(page):
-    """Each change's name with its chapter, the chapter's number and its pieces: verb, text, last text, lines."""
+    """Each change's name with its chapter, the chapter's number and its pieces: verb, text, last
+    text, lines."""
     changes, blocks = {}, page.count('<!-- code:')
     for mark in MARK.finditer(page):
         name, chapter, number, verb, text, last, block = mark.groups()
@@ -37,7 +40,8 @@ def pieces_of(page):
         if change[0] != chapter:
             raise Fault(f'{name} changes two chapters')
         change[2].append((verb, text, last, (block or '').splitlines()))
-    if sum(len(pieces) for *_, pieces in changes.values()) != page.count('<!-- change:') or blocks != page.count('```cpp'):
+    if sum(len(pieces) for *_, pieces in changes.values()) != page.count(
+        '<!-- change:') or blocks != page.count('```cpp'):
         raise Fault('a mark is none, or code has no mark, so that nothing tries it')
     for name, (_, _, pieces) in changes.items():
         count = sum(len(block) for *_, block in pieces)
@@ -59,7 +63,8 @@ def changed(lesson, name, number, pieces):
             if end < 0:
                 raise Fault(f'{name}: no line after "{text}" has "{last}"')
         indent = lines[first][:len(lines[first]) - len(lines[first].lstrip())]
-        begin, end = {'above': (first, first), 'below': (end + 1, end + 1)}.get(verb, (first, end + 1))
+        begin, end = {'above': (first, first),
+                      'below': (end + 1, end + 1)}.get(verb, (first, end + 1))
         lines[begin:end] = [indent + line if line else line for line in block]
     return '\n'.join(lines).replace(f'texmap::chapter_{number}', f'texmap::change_{name}')
 
@@ -67,7 +72,8 @@ def changed(lesson, name, number, pieces):
 def run(page, chapters, out, names):
     changes = pieces_of(page.read_text(encoding='utf-8'))
     if sorted(changes) != sorted(names):
-        raise Fault(f'{page} has the changes {" ".join(sorted(changes))}; tests draw {" ".join(sorted(names))}')
+        raise Fault(f'{page} has the changes {" ".join(sorted(changes))}; tests draw '
+                    f'{" ".join(sorted(names))}')
     out.mkdir(parents=True, exist_ok=True)
     for name, (chapter, number, pieces) in changes.items():
         lesson = (chapters / chapter / 'lesson.hpp').read_text(encoding='utf-8')

@@ -23,7 +23,8 @@ TREE, BUILD, CLEAN = WORK / 'tree', WORK / 'build', WORK / 'clean'
 SKIPPED_FILES = {'common/tools/fit_kernels.cpp'}
 # What judges the text of the project, or builds it once more, and what measures time.
 SKIPPED_LABELS = '^(bench|closure|grade|learn|mutation|pages|steps|exhaustive|extremes)$'
-FAILED = r'Test +#\d+: (\S+) \.*\** *(?:Failed|Not Run|Exception|Subprocess|Timeout)'  # in ctest's report
+# in ctest's report
+FAILED = r'Test +#\d+: (\S+) \.*\** *(?:Failed|Not Run|Exception|Subprocess|Timeout)'
 NOBODY = 65533  # not the 65534 that tests become themselves
 MOST_MEMORY = 6 << 30
 
@@ -33,9 +34,11 @@ TOKEN = re.compile(
     r'(?P<comment>//[^\n]*|/\*.*?\*/)'
     r'|(?P<string>(?:u8|[uUL])?R"(?P<mark>[^(]*)\(.*?\)(?P=mark)"|(?:u8|[uUL])?"(?:\\.|[^"\\\n])*")'
     r"|(?P<char>'(?:\\.|[^'\\\n])*')"
-    r"|(?P<number>0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?[uUlLfF]*|(?:\d[\d']*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[uUlLfF]*)"
+    r"|(?P<number>0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?[uUlLfF]*"
+    r"|(?:\d[\d']*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[uUlLfF]*)"
     r'|(?P<name>[A-Za-z_]\w*)'
-    r'|(?P<operator><<=|>>=|<=>|->\*?|::|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|[-+*/%<>=!&|^~?:;,.(){}\[\]])',
+    r'|(?P<operator><<=|>>=|<=>|->\*?|::|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\|'
+    r'|[-+*/%&|^]=|[-+*/%<>=!&|^~?:;,.(){}\[\]])',
     re.S)
 PREPROCESSOR = re.compile(r'^[ \t]*#(?:[^\n\\]|\\.)*(?:\\\n(?:[^\n\\]|\\.)*)*', re.M)
 
@@ -46,10 +49,13 @@ class Token:
 
 
 def tokens_of(text):
-    """All tokens but comments and preprocessor lines, between two empty ones; each knows if it is inside of a function."""
+    """All tokens but comments and preprocessor lines, between two empty ones; each knows if it is
+    inside of a function."""
     blank = PREPROCESSOR.sub(lambda found: re.sub(r'[^\n]', ' ', found[0]), text)
-    tokens = [Token('', '', 0), *(Token(found.lastgroup.replace('mark', 'string'), found[0], found.start())
-                                  for found in TOKEN.finditer(blank) if found.lastgroup != 'comment'), Token('', '', len(text))]
+    tokens = [Token('', '', 0),
+              *(Token(found.lastgroup.replace('mark', 'string'), found[0], found.start())
+                                  for found in TOKEN.finditer(blank)
+                if found.lastgroup != 'comment'), Token('', '', len(text))]
     braces = []  # for each open brace: is it the body of a type or of a namespace?
     for i, token in enumerate(tokens):
         if token.text == '}' and braces:
@@ -60,7 +66,8 @@ def tokens_of(text):
             while start > 0 and tokens[start - 1].text not in (';', '{', '}', ')'):
                 start -= 1
             before = [''] + [word.text for word in tokens[start:i]]
-            braces.append(any(word in ('namespace', 'struct', 'union', 'enum') or word == 'class' and last not in ('<', ',')
+            braces.append(any(word in ('namespace', 'struct', 'union', 'enum') or word == 'class'
+                              and last not in ('<', ',')
                               for last, word in zip(before, before[1:])))
     return tokens
 
@@ -82,10 +89,12 @@ def behind(tokens, k):
 
 # --- Changes of a token -------------------------------------------------------------------------
 
-BINARY = {'+': '-', '-': '+', '*': '/', '/': '*', '%': '*', '<': '<=', '<=': '<', '>': '>=', '>=': '>',
-          '==': '!=', '!=': '==', '&&': '||', '||': '&&', '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=',
-          '<<': '>>', '>>': '<<', '&': '|', '|': '&', '^': '&', '<<=': '>>=', '>>=': '<<=', '|=': '&=',
-          '&=': '|=', '^=': '|='}
+BINARY = {'+': '-', '-': '+', '*': '/', '/': '*', '%': '*', '<': '<=', '<=': '<', '>': '>=',
+          '>=': '>',
+          '==': '!=', '!=': '==', '&&': '||', '||': '&&', '+=': '-=', '-=': '+=', '*=': '/=',
+          '/=': '*=',
+          '<<': '>>', '>>': '<<', '&': '|', '|': '&', '^': '&', '<<=': '>>=', '>>=': '<<=',
+          '|=': '&=', '&=': '|=', '^=': '|='}
 NAMES = {'true': 'false', 'false': 'true', 'min': 'max', 'max': 'min', 'sin': 'cos', 'cos': 'sin',
          'floor': 'ceil', 'ceil': 'floor'}
 MEMBERS = {'x': 'y', 'y': 'z', 'z': 'x', 'u': 'v', 'v': 'u', 'r': 'g', 'g': 'b', 'b': 'r', 'a': 'b',
@@ -98,7 +107,8 @@ NOT_A_CALL = {'if', 'for', 'while', 'switch', 'return', 'sizeof', 'catch', 'alig
 
 
 def other_number(text):
-    """n + 1 for a whole number, one power of two more for a hexadecimal fraction, half of any other number."""
+    """n + 1 for a whole number, one power of two more for a hexadecimal fraction, half of any other
+    number."""
     hexadecimal, power = text.lower().startswith('0x'), 'p' in text.lower()
     body = text.rstrip('uUlL' if hexadecimal and not power else 'uUlLfF')
     suffix = text[len(body):]
@@ -122,12 +132,16 @@ def change_of(text, tokens, i):
         kind, new = 'constant', other_number(token.text)
     elif token.kind == 'string' and len(token.text) > 2 and not token.text.endswith(')"'):
         kind, new = 'string', token.text[:-1] + '~"'
-    elif token.kind == 'name' and before.text in ('.', '->') and after.text != '(' and token.text in MEMBERS:
+    elif (token.kind == 'name' and before.text in ('.', '->') and after.text != '('
+          and token.text in MEMBERS):
         kind, new = 'member', MEMBERS[token.text]
     elif token.kind == 'name' and before.text not in ('.', '->') and token.text in NAMES:
         kind, new = 'name', NAMES[token.text]
     elif token.kind == 'name':
-        return negation(text, tokens, i + 1) if token.text in ('if', 'while') and after.text == '(' else removal(tokens, i)
+        return negation(text, tokens,
+                        i + 1) if token.text in ('if',
+                                                 'while') and after.text == '(' else removal(
+                                                     tokens, i)
     elif token.text in BINARY and spaced_behind and text[token.start - 1:token.start].isspace():
         kind, new = 'operator', BINARY[token.text]
     elif token.text in ('++', '--'):
@@ -146,14 +160,16 @@ def negation(text, tokens, i):
     if first >= end or any(token.text == '{' for token in tokens[first:end]):
         return None
     start, stop = tokens[first].start, tokens[end].start
-    if first == i + 1 and end - first > 1 and tokens[first].kind == 'name' and tokens[first + 1].kind == 'name':
+    if first == i + 1 and end - first > 1 and tokens[first].kind == 'name' and tokens[
+        first + 1].kind == 'name':
         return None  # it declares something
     return 'condition', start, stop, '!(' + text[start:stop] + ')'
 
 
 def removal(tokens, i):
     """Without the call or assignment that begins at `i`."""
-    if not tokens[i].in_function or tokens[i].text in NOT_A_CALL or tokens[i - 1].text not in (';', '{', '}', ')', 'else'):
+    if not tokens[i].in_function or tokens[i].text in NOT_A_CALL or tokens[i - 1].text not in (
+        ';', '{', '}', ')', 'else'):
         return None
     k = i + 1
     while tokens[k].text in ('.', '->', '::', '['):
@@ -176,7 +192,8 @@ def swap(text, tokens, i):
         k = behind(tokens, k)
     if not tokens[i].in_function or tokens[i - 1].text in NOT_A_CALL or len(commas) < 2:
         return None
-    (a, b), (c, d) = ((tokens[first + 1].start, tokens[last - 1].end) for first, last in zip(commas, [*commas[1:3], end][:2]))
+    (a, b), (c, d) = ((tokens[first + 1].start, tokens[last - 1].end)
+                      for first, last in zip(commas, [*commas[1:3], end][:2]))
     return None if text[a:b] == text[c:d] else ('swap', a, d, text[c:d] + text[b:c] + text[a:b])
 
 
@@ -196,12 +213,14 @@ class Mutant:
         return int(hashlib.sha256(f'{word}|{self.key}'.encode()).hexdigest()[:13], 16) / 16 ** 13
 
     def share(self):
-        """How many of its kind are tried: strings, coefficients and letters are much the same, and would be most of the sample."""
+        """How many of its kind are tried: strings, coefficients and letters are much the same, and
+        would be most of the sample."""
         of_a_table = self.kind == 'constant' and self.old_lines[0].count(',') >= 5
         return 0.05 if self.kind == 'string' else 0.1 if of_a_table else 1
 
     def difference(self):
-        return '\n'.join([self.path, *('- ' + line for line in self.old_lines), *('+ ' + line for line in self.new_lines)])
+        return '\n'.join([self.path, *('- ' + line for line in self.old_lines),
+                          *('+ ' + line for line in self.new_lines)])
 
     def __str__(self):
         return f'{self.path}:{self.line}  {self.change}  ({self.kind})'
@@ -223,7 +242,8 @@ def mutants_of(path, text):
         if token.text == 'static_assert':
             judged.update(range(i, closing(tokens, i + 1) + 1))
     changes = [change_of(text, tokens, i) for i in range(1, len(tokens) - 1) if i not in judged]
-    return [Mutant(path, text, *change) for change in changes if change and text[change[1]:change[2]] != change[3]]
+    return [Mutant(path, text, *change) for change in changes if change
+            and text[change[1]:change[2]] != change[3]]
 
 
 # --- The copy of the project and its build ------------------------------------------------------
@@ -257,10 +277,12 @@ def ctest(*options):
     if os.geteuid() == 0:
         user = {'user': NOBODY, 'group': NOBODY, 'extra_groups': []}
         (BUILD / 'Testing').mkdir(exist_ok=True)
-        for path in [BUILD / 'Testing', *(BUILD / 'Testing').rglob('*'), BUILD / 'tests', BUILD / 'bin']:
+        for path in [BUILD / 'Testing', *(BUILD / 'Testing').rglob('*'), BUILD / 'tests',
+                     BUILD / 'bin']:
             os.chown(path, NOBODY, NOBODY)
     return run(['ctest', '--test-dir', BUILD, '-LE', SKIPPED_LABELS, *options], **user,
-               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY)))
+               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
+                                                     (MOST_MEMORY, MOST_MEMORY)))
 
 
 class Build:
@@ -268,21 +290,25 @@ class Build:
 
     def __init__(self, jobs):
         self.ninja = ['ninja', '-C', BUILD, '-j', jobs]
-        self.everything = [*self.ninja, 'all', 'reader_suites']  # suites of what readers change are not in all
+        # suites of what readers change are not in all
+        self.everything = [*self.ninja, 'all', 'reader_suites']
         self.jobs = jobs
         copy_project(TREE)
-        configured = run(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-D', 'CMAKE_BUILD_TYPE=Release',
-                          '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1',
-                          '-D', 'CMAKE_SUPPRESS_REGENERATION=ON'])  # else Ninja plans nothing before it has asked CMake
+        configured = run(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-D',
+                          'CMAKE_BUILD_TYPE=Release', '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1',
+                          # else Ninja plans nothing before it has asked CMake
+                          '-D', 'CMAKE_SUPPRESS_REGENERATION=ON'])
         if configured.returncode != 0:
-            sys.exit(configured.stdout + 'error: cmake failed (mutation testing needs CMake and Ninja)')
+            sys.exit(configured.stdout
+                     + 'error: cmake failed (mutation testing needs CMake and Ninja)')
         print('Building and testing without a change; the first time takes minutes', flush=True)
         if subprocess.run([str(word) for word in self.everything], check=False).returncode != 0:
             sys.exit('error: the project does not build')
-        # Some scripts need more than this build, or a user with rights: what fails now tells nothing.
+        # Some scripts need more than this build, or a user with rights: what fails now tells
+        # nothing.
         self.left_out = re.findall(FAILED, ctest('-j', jobs).stdout)
-        print('Left out, since they fail without a change (of suites, mutants survive that they would find):',
-              *self.left_out or ['none'], flush=True)
+        print('Left out, since they fail without a change (of suites, mutants survive that they '
+              'would find):', *self.left_out or ['none'], flush=True)
         self.program_of = {}  # test -> path in the build
         for test in json.loads(ctest('--show-only=json-v1').stdout)['tests']:
             program = Path(test.get('command', ['/'])[0])
@@ -301,7 +327,8 @@ class Build:
         return re.findall(r'(?:object|library|executable) (\S+)$', planned, re.M)
 
     def verdict(self, mutant):
-        """'killed by NAME', 'SURVIVED', 'did not compile', 'not built here' or 'the same program'."""
+        """'killed by NAME', 'SURVIVED', 'did not compile', 'not built here' or 'the same
+        program'."""
         copy = TREE / mutant.path
         text, times = copy.read_text(), copy.stat()
         copy.write_text(text[:mutant.start] + mutant.new + text[mutant.end:])
@@ -311,7 +338,8 @@ class Build:
             (CLEAN / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(BUILD / name, CLEAN / name)
         try:
-            return self.judged(mutant, stale) if stale else 'not built here'  # a file for another system
+            # a file for another system
+            return self.judged(mutant, stale) if stale else 'not built here'
         finally:
             copy.write_text(text)
             os.utime(copy, ns=(times.st_atime_ns, times.st_mtime_ns))
@@ -319,7 +347,8 @@ class Build:
                 shutil.copy2(CLEAN / name, BUILD / name)
 
     def judged(self, mutant, stale):
-        """Builds and runs suite by suite, the file's own first, then the cheapest; then everything."""
+        """Builds and runs suite by suite, the file's own first, then the cheapest; then
+        everything."""
         own = 'test_' + Path(mutant.path).stem
         suites = [test for test, program in self.program_of.items() if program in stale]
         for test in sorted(suites, key=lambda name: (name != own, self.compiled_in.get(name, 0))):
@@ -340,42 +369,51 @@ class Build:
         """The first test that fails twice, by chance alone it does not count; None if all pass."""
         done = ctest(*which, '--timeout', 120, '--stop-on-failure')
         return next((name for name in re.findall(FAILED, done.stdout)
-                     if ctest('-R', f'^{re.escape(name)}$', '--timeout', 120).returncode != 0), None)
+                     if ctest('-R', f'^{re.escape(name)}$', '--timeout',
+                              120).returncode != 0), None)
 
 
 def read_equivalent():
-    """The differences in equivalent.txt, whose blocks are a path, lines with - and +, then the reason."""
-    text = re.sub(r'^#.*\n', '', (PROJECT / 'tests/mutation/equivalent.txt').read_text(), flags=re.M)
+    """The differences in equivalent.txt, whose blocks are a path, lines with - and +, then the
+    reason."""
+    text = re.sub(r'^#.*\n', '', (PROJECT / 'tests/mutation/equivalent.txt').read_text(),
+                  flags=re.M)
     return {re.match(r'.*(?:\n[-+] .*)*', block.strip())[0] for block in re.split(r'\n\s*\n', text)}
 
 
 def all_mutants(globs):
-    names = sorted(str(path.relative_to(PROJECT)) for path in (PROJECT / 'common').rglob('*.[hc]pp'))
-    names = [name for name in names if name not in SKIPPED_FILES and any(fnmatch.fnmatch(name, '*' + glob) for glob in globs)]
+    names = sorted(str(path.relative_to(PROJECT))
+                   for path in (PROJECT / 'common').rglob('*.[hc]pp'))
+    names = [name for name in names if name not in SKIPPED_FILES
+             and any(fnmatch.fnmatch(name, '*' + glob) for glob in globs)]
     if not names:
         sys.exit('error: no such file in common/')
     return [m for name in names for m in mutants_of(name, (PROJECT / name).read_text())]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
+    parser = argparse.ArgumentParser(description=__doc__.split('\n\n')[0])
     parser.add_argument('--seed', type=int, default=1, help='another number chooses other tokens')
     parser.add_argument('--count', type=int, default=64, help='how many that compile')
-    parser.add_argument('--files', nargs='+', metavar='GLOB', default=['*'], help='only in these, such as scene/*.hpp')
+    parser.add_argument('--files', nargs='+', metavar='GLOB', default=['*'],
+                        help='only in these, such as scene/*.hpp')
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
     options = parser.parse_args()
     mutants = all_mutants(options.files)
     if options.only:
-        mutants = [m for m in mutants if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
+        mutants = [m for m in mutants
+                   if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
     else:
-        mutants = sorted((m for m in mutants if m.chance('share') < m.share()), key=lambda m: m.chance(options.seed))
+        mutants = sorted((m for m in mutants if m.chance('share') < m.share()),
+                         key=lambda m: m.chance(options.seed))
     if options.list:
         print('\n'.join(map(str, mutants if options.only else mutants[:options.count])))
         return
     build, equivalent = Build(options.jobs), read_equivalent()
-    counts = dict.fromkeys(('killed', 'SURVIVED', 'the same program', 'equivalent', 'did not compile', 'not built here'), 0)
+    counts = dict.fromkeys(('killed', 'SURVIVED', 'the same program', 'equivalent',
+                            'did not compile', 'not built here'), 0)
     survivors = WORK / 'survivors.txt'
     survivors.write_text('')
     try:
@@ -386,7 +424,8 @@ def main():
             began = time.monotonic()
             verdict = 'equivalent' if mutant.difference() in equivalent else build.verdict(mutant)
             counts[next(word for word in counts if verdict.startswith(word))] += 1
-            print(f'[{tried + 1}/{options.count}] {mutant}  {verdict} ({time.monotonic() - began:.0f} s)', flush=True)
+            print(f'[{tried + 1}/{options.count}] {mutant}  {verdict} '
+                  f'({time.monotonic() - began:.0f} s)', flush=True)
             if verdict == 'SURVIVED':
                 with survivors.open('a') as file:
                     file.write(f'# {mutant}\n{mutant.difference()}\n\n')

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Plants known faults of well-known renderers in common/ and sees a test fail for each.
 
-Reads tests/mutation/planted.txt. Works in a copy of the project (build/planted/tree) with a build of its own.
+Reads tests/mutation/planted.txt. Works in a copy of the project (build/planted/tree) with a build
+of its own.
 --write also writes docs/known_faults.md, with the name of the test that failed.
 """
 import argparse
@@ -39,7 +40,8 @@ class Fault:
         """Changes the file; returns its text from before."""
         path = tree / self.fields['file']
         text = path.read_text()
-        # Lines are found whatever their indentation, so that a reformatted file is still understood.
+        # Lines are found whatever their indentation, so that a reformatted file is still
+        # understood.
         pattern = r'\n[ \t]*'.join(re.escape(line.strip()) for line in self.old)
         found = list(re.finditer(pattern, text))
         if len(found) != 1:
@@ -79,7 +81,8 @@ def main():
     tree = PROJECT / 'build' / 'planted' / 'tree'
     copy_project(tree)
     folder = tree.parent / 'build'
-    configured = run(['cmake', '-S', str(tree), '-B', str(folder), '-D', 'CMAKE_BUILD_TYPE=Release', '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1'])
+    configured = run(['cmake', '-S', str(tree), '-B', str(folder), '-D', 'CMAKE_BUILD_TYPE=Release',
+                      '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1'])
     if configured.returncode != 0:
         sys.exit(configured.stdout + configured.stderr)
     suites = sorted({fault.fields['suite'] for fault in faults})
@@ -96,11 +99,13 @@ def main():
         suite = fault.fields['suite']
         built = build(folder, [suite], arguments.jobs)
         if built.returncode != 0:
-            sys.exit(f'{fault.name} does not compile:\n' + built.stderr[-3000:] + built.stdout[-3000:])
+            sys.exit(f'{fault.name} does not compile:\n' + built.stderr[-3000:]
+                     + built.stdout[-3000:])
         tested = run([str(folder / 'tests' / suite)], timeout=600)
         path.write_text(text)
         noticed = first_failure(tested.stdout) if tested.returncode != 0 else None
-        print(f'{fault.name}: {"noticed: " + noticed if noticed else "NOT NOTICED by " + suite}', flush=True)
+        print(f'{fault.name}: {"noticed: " + noticed if noticed else "NOT NOTICED by " + suite}',
+              flush=True)
         if not noticed:
             unseen.append(fault.name)
         rows.append((fault, noticed or '**none**'))
@@ -112,11 +117,14 @@ def main():
 
 def write_page(rows):
     lines = ['# Known faults', '',
-             'Faults that were found in well-known renderers and programs. `python3 tests/mutation/planted.py` plants each of them in a copy of this',
-             'project and runs one suite, which must fail. This page is written by the same program with `--write`.', '',
+             'Faults that were found in well-known renderers and programs. `python3 '
+             'tests/mutation/planted.py` plants each of them in a copy of this',
+             'project and runs one suite, which must fail. This page is written by the same '
+             'program with `--write`.', '',
              '| fault | found in | planted in | the test that fails |', '|---|---|---|---|']
     for fault, noticed in rows:
-        lines.append(f'| {fault.fields["what"]} | {fault.fields["found in"]} | `{fault.fields["file"]}` | {noticed} (`{fault.fields["suite"]}`) |')
+        lines.append(f'| {fault.fields["what"]} | {fault.fields["found in"]} | '
+                     f'`{fault.fields["file"]}` | {noticed} (`{fault.fields["suite"]}`) |')
     PAGE.write_text('\n'.join(lines) + '\n')
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Plants mistakes of students in a copy, one at a time, and sees the chapter's symptoms name each.
 
-Reads tests/mutation/symptoms.txt. Compiles tests/chapters/symptoms_NN.cpp alone, which takes a second or two: its headers are those of
-the copy, the libraries those of a build. The first failure must have the mistake's word and no other's, among at most ten.
-"""
+Reads tests/mutation/symptoms.txt. Compiles tests/chapters/symptoms_NN.cpp alone, which takes a
+second or two: its headers are those of the copy, the libraries those of a build. The first failure
+must have the mistake's word and no other's, among at most ten."""
 import argparse
 import shutil
 import sys
@@ -21,14 +21,18 @@ def tried(fault, tree, arguments, words):
     suite = f'symptoms_{chapter}'
     program = tree / suite
     compiled = planted.run([
-        *arguments.compiler.split(), '-std=c++20', '-O0', '-w', '-pthread', '-DTEXMAP_LEARN', '-DTEXMAP_NO_FLATTEN',
-        *[f'-I{folder}' for folder in arguments.include], f'-I{tree}/tests', f'-I{tree}/chapters', f'-I{tree}/common',
+        *arguments.compiler.split(), '-std=c++20', '-O0', '-w', '-pthread', '-DTEXMAP_LEARN',
+        '-DTEXMAP_NO_FLATTEN',
+        *[f'-I{folder}' for folder in arguments.include], f'-I{tree}/tests', f'-I{tree}/chapters',
+        f'-I{tree}/common',
         f'{tree}/tests/chapters/{suite}.cpp', *arguments.link, '-o', str(program)])
     if compiled.returncode != 0:
         return 'does not compile:\n' + compiled.stderr[-3000:]
     tested = planted.run([str(program)], timeout=120)
-    failures = [line.partition('ERROR: ')[2] for line in tested.stdout.splitlines() if 'ERROR: ' in line]
-    if {other for other in words if failures and other in failures[0]} != {word} or len(failures) > MOST_FAILURES:
+    failures = [line.partition('ERROR: ')[2] for line in tested.stdout.splitlines()
+                if 'ERROR: ' in line]
+    if {other for other in words if failures
+        and other in failures[0]} != {word} or len(failures) > MOST_FAILURES:
         return f'{suite} shows {len(failures)} failures, the first says {failures[:1]}'
     return None
 
@@ -37,8 +41,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('names', nargs='*', help='mistakes to plant; without names, all of them')
     parser.add_argument('--compiler', default='c++')
-    parser.add_argument('--include', action='append', default=[], metavar='FOLDER', help='where doctest.h is')
-    parser.add_argument('--link', action='append', default=[], metavar='FILE', help="doctest's main program, libraries")
+    parser.add_argument('--include', action='append', default=[], metavar='FOLDER',
+                        help='where doctest.h is')
+    parser.add_argument('--link', action='append', default=[], metavar='FILE',
+                        help="doctest's main program, libraries")
     arguments = parser.parse_args()
     faults = planted.faults_of(planted.PROJECT / 'tests' / 'mutation' / 'symptoms.txt', ())
     words = [fault.name.split(' ', 1)[1] for fault in faults]

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The book, a page of ./course diff and the gallery in a real browser, in light and dark, 360, 1280 and 1920 pixels wide: everything fits,
-can be read, is there, and works.
+"""The book, a page of ./course diff and the gallery in a real browser, in light and dark, 360, 1280
+and 1920 pixels wide: everything fits, can be read, is there, and works.
 
 usage: test_book.py BOOK ROOT BIN
-BOOK makes the book, ROOT is the project, BIN has the chapters' programs. Status 77 where no browser is installed.
-out/ as a whole is small enough to be sent: the book, the chapters' pictures, the turntable and the pages of ./course diff.
-"""
+BOOK makes the book, ROOT is the project, BIN has the chapters' programs. Status 77 where no browser
+is installed. out/ as a whole is small enough to be sent: the book, the chapters' pictures, the
+turntable and the pages of ./course diff."""
 import html
 import json
 import pathlib
@@ -29,31 +29,38 @@ LOOK = """(async () => {
   for (const e of document.querySelectorAll("details")) e.open = true;
   const width = document.documentElement.scrollWidth;
   if (width > innerWidth) {
-    const wide = [...document.querySelectorAll("main *")].find((e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest("pre, .scroll"));
+    const wide = [...document.querySelectorAll("main *")].find(
+      (e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest("pre, .scroll"));
     faults.push(`too wide: ${width}, ${wide ? start(wide) : "?"}`);
   }
   for (const image of document.images) image.loading = "eager";
   const end = performance.now() + 2000;
-  while ([...document.images].some((image) => !image.complete) && performance.now() < end) await new Promise((done) => setTimeout(done, 20));
+  while ([...document.images].some((image) => !image.complete) &&
+    performance.now() < end) await new Promise((done) => setTimeout(done, 20));
   for (const image of document.images) {
     if (!image.hasAttribute("alt")) faults.push(`no alt text: ${start(image)}`);
     if (!image.naturalWidth) faults.push(`no picture: ${image.getAttribute("src")}`);
   }
   for (const e of document.querySelectorAll("[src], link[href]")) {
-    if (/^https?:/.test(e.getAttribute("src") || e.getAttribute("href"))) faults.push(`needs the network: ${start(e)}`);
+    if (/^https?:/.test(e.getAttribute("src") || e.getAttribute("href"))) faults.push(
+      `needs the network: ${start(e)}`);
   }
   for (const e of document.querySelectorAll("math")) {
-    const outside = [...e.querySelectorAll("*")].some((one) => !one.matches("mi, mn, mo, mtext") && [...one.childNodes].some((n) => n.nodeType === 3));
-    if (e.children.length !== 1 || outside || e.querySelector("mi:empty, mfrac > :nth-child(3)")) faults.push(`a formula: ${start(e)}`);
+    const outside = [...e.querySelectorAll("*")].some((one) => !one.matches("mi, mn, mo, mtext") &&
+      [...one.childNodes].some((n) => n.nodeType === 3));
+    if (e.children.length !== 1 || outside || e.querySelector(
+      "mi:empty, mfrac > :nth-child(3)")) faults.push(`a formula: ${start(e)}`);
   }
   const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
   if (new Set(ids).size !== ids.length) faults.push("an id is used twice");
   for (const e of document.querySelectorAll("button, input, summary, a")) {
-    if (!(e.textContent.trim() || e.labels?.length || e.getAttribute("aria-label") || e.querySelector("img"))) faults.push(`no name: ${start(e)}`);
+    if (!(e.textContent.trim() || e.labels?.length || e.getAttribute("aria-label") ||
+      e.querySelector("img"))) faults.push(`no name: ${start(e)}`);
   }
   const numbers = (color) => color.match(/[\\d.]+/g).map(Number);
   const luminance = (rgb) => {
-    const [r, g, b] = rgb.slice(0, 3).map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+    const [r, g, b] = rgb.slice(0, 3).map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92
+      : ((c / 255 + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
   const background = (e) => {
@@ -68,7 +75,8 @@ LOOK = """(async () => {
     return (light + 0.05) / (dark + 0.05);
   };
   for (const e of document.querySelectorAll("#search, main button, main select")) {
-    const ratio = contrast(numbers(getComputedStyle(e).borderTopColor), background(e.parentElement));
+    const ratio = contrast(numbers(getComputedStyle(e).borderTopColor), background(
+      e.parentElement));
     if (ratio < 3) faults.push(`contrast of a border ${ratio.toFixed(2)}: ${start(e)}`);
   }
   const seen = new Set();
@@ -80,12 +88,15 @@ LOOK = """(async () => {
     if (seen.has(key) || style.display === "none" || e.matches("script, style")) continue;
     seen.add(key);
     const ratio = contrast(numbers(style.color), background(e));
-    if (ratio < (parseFloat(style.fontSize) >= 24 ? 3 : 4.5)) faults.push(`contrast ${ratio.toFixed(2)}: ${start(e)}`);
+    if (ratio < (parseFloat(style.fontSize) >= 24 ? 3 : 4.5)) faults.push(
+      `contrast ${ratio.toFixed(2)}: ${start(e)}`);
   }
   for (const e of document.querySelectorAll("img[src$='.svg'], img[data-letters]")) {
-    if (e.clientWidth < 10.9 / (e.dataset.letters || 13) * e.naturalWidth) faults.push(`letters shrink below 11 px: ${start(e)}`);
+    if (e.clientWidth < 10.9 / (e.dataset.letters || 13) * e.naturalWidth) faults.push(
+      `letters shrink below 11 px: ${start(e)}`);
   }
-  for (const e of document.querySelectorAll(".crops svg")) if (e.clientWidth < 125) faults.push(`a crop is ${e.clientWidth} px wide: ${start(e)}`);
+  for (const e of document.querySelectorAll(".crops svg")) if (e.clientWidth < 125) faults.push(
+    `a crop is ${e.clientWidth} px wide: ${start(e)}`);
   return faults;
 })()"""
 
@@ -102,103 +113,160 @@ MEASURE = """(() => {
 # Per page: what is done, and what the page then shows.
 USES = {
     "01_plain_spheres.html": [
-        ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '/', bubbles: true}))", "document.activeElement.id === 'search'"),
-        ("find('lambert')", "[...document.querySelectorAll('#found a')].some((a) => a.getAttribute('href').startsWith('01_plain_spheres.html'))"),
-        # The phrase first, and marked as one; whole words before those that begin so; nothing within a word.
-        ("find('Half a  texel')", "texts('#found li:first-child small mark').join() === 'half a texel'"),
-        ("find('ray')", "/ ray( |$)/i.test(texts('#found a')[0].split('…')[0]) && texts('#found mark').every((mark) => /^rays?$/i.test(mark))"),
-        ("find('texel half')", "texts('#found mark').includes('texel') && texts('#found mark').includes('half')"),
+        (
+            "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '/', "
+            "bubbles: true}))", "document.activeElement.id === 'search'"),
+        ("find('lambert')", "[...document.querySelectorAll('#found a')].some((a) => "
+                            "a.getAttribute('href').startsWith('01_plain_spheres.html'))"),
+        # The phrase first, and marked as one; whole words before those that begin so; nothing
+        # within a word.
+        ("find('Half a  texel')",
+         "texts('#found li:first-child small mark').join() === 'half a texel'"),
+        ("find('ray')", "/ ray( |$)/i.test(texts('#found a')[0].split('…')[0]) && texts('#found "
+                        "mark').every((mark) => /^rays?$/i.test(mark))"),
+        ("find('texel half')", "texts('#found mark').includes('texel') && texts('#found "
+                               "mark').includes('half')"),
         ("find('lamber')", "texts('#found mark').some((mark) => /^lambert$/i.test(mark))"),
         ("find('exel')", "document.querySelector('#found').textContent.startsWith('Nothing')"),
         ("find('qqqzzz')", "document.querySelector('#found').textContent.startsWith('Nothing')"),
-        ("delete window.DecompressionStream; find('lambert')", "document.querySelector('#found').textContent.startsWith('Search needs a newer browser')"),
-        ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape', bubbles: true})); document.activeElement.blur()",
+        ("delete window.DecompressionStream; find('lambert')",
+         "document.querySelector('#found').textContent.startsWith('Search needs a newer browser')"),
+        ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape', "
+         "bubbles: true})); document.activeElement.blur()",
          "document.querySelector('#found').hidden"),
-        ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true}))",
-         "location.href.endsWith('02_checkerboard_uv.html')"),
+        ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', "
+         "bubbles: true}))", "location.href.endsWith('02_checkerboard_uv.html')"),
     ],
     "diff/02-03/index.html": [
-        ("{ const s = document.querySelector('.slider input'); s.value = 25; s.dispatchEvent(new Event('input')); }", "cut() === '25%'"),
+        ("{ const s = document.querySelector('.slider input'); s.value = 25; s.dispatchEvent(new "
+         "Event('input')); }", "cut() === '25%'"),
         ("document.querySelectorAll('.slider button')[1].click()", "cut() === '100%'"),
         ("document.querySelectorAll('.slider button')[2].click()", "cut() === '0%'"),
-        ("document.querySelector('.slider button').click()", "document.querySelector('.slider button').getAttribute('aria-pressed') === 'true'"),
-        ("document.querySelector('.slider button').click()", "document.querySelector('.slider button').getAttribute('aria-pressed') === 'false'"),
-        ("", "[...document.querySelectorAll('input, button, pre[tabindex]')].filter((e) => { e.focus(); return document.activeElement === e; }).length === 5"),
+        ("document.querySelector('.slider button').click()",
+         "document.querySelector('.slider button').getAttribute('aria-pressed') === 'true'"),
+        ("document.querySelector('.slider button').click()",
+         "document.querySelector('.slider button').getAttribute('aria-pressed') === 'false'"),
+        ("", "[...document.querySelectorAll('input, button, pre[tabindex]')].filter((e) => { "
+             "e.focus(); return document.activeElement === e; }).length === 5"),
     ],
     "gallery.html": [
-        ("", "[...document.querySelectorAll('figure img')].filter((e) => e.naturalWidth).length >= 15"),
+        ("",
+         "[...document.querySelectorAll('figure img')].filter((e) => e.naturalWidth).length >= 15"),
     ],
     "index.html": [
         ("", "texts('.path span').slice(0, 3).join() === '●●○,○○●,○○○'"),
-        ("", "texts('.path li').length === 15 && texts('.path li').every((e) => e.includes('?') && e.includes('hour'))"),
-        ("", "texts('.path li > p:nth-of-type(1)').every((e) => /[0-9]|One/.test(e)) && texts('.path li')[1].includes('changes 76 of 480,000 pixels')"),
+        ("", "texts('.path li').length === 15 && texts('.path li').every((e) => e.includes('?') "
+             "&& e.includes('hour'))"),
+        ("", "texts('.path li > p:nth-of-type(1)').every((e) => /[0-9]|One/.test(e)) && "
+             "texts('.path li')[1].includes('changes 76 of 480,000 pixels')"),
     ],
     "symptoms.html": [
-        ("find('normal')", "document.querySelector('#found').getBoundingClientRect().left >= 0 && texts('#found a').length > 3"),
-        ("document.querySelector('h1').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))", "document.querySelector('#found').hidden"),
+        ("find('normal')", "document.querySelector('#found').getBoundingClientRect().left >= 0 && "
+                           "texts('#found a').length > 3"),
+        ("document.querySelector('h1').dispatchEvent(new PointerEvent('pointerdown', "
+         "{bubbles: true}))",
+         "document.querySelector('#found').hidden"),
         ("", "texts('.cards article').length >= 19 && !texts('th').length"),
-        ("", "texts('.two')[0].trim() === 'yoursright' && texts('.cards h3')[0].startsWith('… mirrored') && texts('.cards a')[0] === 'chapter 04'"),
-        ("", "texts('.two').every((e) => e.trim() === 'yoursright') && document.querySelectorAll('.two img').length === 2 * texts('.two').length"),
-        ("", "[...document.querySelectorAll('.cards article')].every((e) => e.querySelector('img').src.includes('-' + e.id + '.png')) && !!document.getElementById('mirrored')"),
+        ("", "texts('.two')[0].trim() === 'yoursright' && texts('.cards h3')[0].startsWith('… "
+             "mirrored') && texts('.cards a')[0] === 'chapter 04'"),
+        ("", "texts('.two').every((e) => e.trim() === 'yoursright') && "
+             "document.querySelectorAll('.two img').length === 2 * texts('.two').length"),
+        ("", "[...document.querySelectorAll('.cards article')].every((e) => "
+             "e.querySelector('img').src.includes('-' + e.id + '.png')) && "
+             "!!document.getElementById('mirrored')"),
     ],
-    # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors; parentheses fall away.
-    "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],
+    # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors;
+    # parentheses fall away.
+    "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && "
+                                     "fraction('atan2(x2+z2,−y)', 'π')")],
     "06_phong_texture_blend.html": [("", "fraction('|r−e|2', '2')")],
-    "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && texts('mtext').includes('if it misses')")],
-    "09_texture_filtering.html": [("", "texts('.trio figcaption')[0] === 'nearest: 1 read, 30.4 % off'"), ("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
+    "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && "
+                                       "texts('mtext').includes('if it misses')")],
+    "09_texture_filtering.html": [
+        ("", "texts('.trio figcaption')[0] === 'nearest: 1 read, 30.4 % off'"),
+        ("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && "
+             "texts('msubsup').includes('pu2')")],
     "10_projections.html": [
         ("", "fraction('(p−c)·a', '2a·a')"),
         # Bars on common axes: twice as long for twice the number.
-        ("", "texts('.bars th').join('|') === 'layout|largest texel, 0 to 2|stretch, 0 to 3|seams, 0 to 600'"),
-        ("", "[...document.querySelectorAll('.bars td[data-head=seams]')].every((e) => Math.abs(e.querySelector('.bar').width.baseVal.value * 6 - "
-             "parseFloat(e.textContent)) < 0.5) && document.querySelectorAll('.bars .open').length === 4"),
+        ("", "texts('.bars th').join('|') === 'layout|largest texel, 0 to 2|stretch, 0 to "
+             "3|seams, 0 to 600'"),
+        ("", "[...document.querySelectorAll('.bars td[data-head=seams]')].every((e) => "
+             "Math.abs(e.querySelector('.bar').width.baseVal.value * 6 - "
+             "parseFloat(e.textContent)) < 0.5) && document.querySelectorAll('.bars "
+             ".open').length === 4"),
     ],
-    "12_environment_map.html": [("", "fraction('2π', 'width') && texts('mi').includes('polar_angle')")],
-    "04_uv_conventions.html": [("", "texts('.quad figcaption')[0] === 'daily exercise: u runs west, v runs south, a picture on it is mirrored'")],
+    "12_environment_map.html": [("", "fraction('2π', 'width') && "
+                                     "texts('mi').includes('polar_angle')")],
+    "04_uv_conventions.html": [("", "texts('.quad figcaption')[0] === 'daily exercise: u runs "
+                                    "west, v runs south, a picture on it is mirrored'")],
     "13_speed_for_accuracy.html": [
-        ("", "texts('.plot .front span').join() === 'double, atan2,float-pack, degree 5' && document.querySelectorAll('.plot button').length === 3"),
-        ("", "document.querySelector('.about').textContent.includes('no pixel differs') && texts('.about code').join() === 'run double'"),
+        ("", "texts('.plot .front span').join() === 'double, atan2,float-pack, degree 5' && "
+             "document.querySelectorAll('.plot button').length === 3"),
+        ("", "document.querySelector('.about').textContent.includes('no pixel differs') && "
+             "texts('.about code').join() === 'run double'"),
         ("document.querySelector('[aria-label=\"float-pack, degree 5\"]').click()",
-         "/20 times as fast as plain double; at most 0.21 texels off; 5747 pixels differ, by up to 156 levels/.test(texts('.about')[0])"),
-        ("", "texts('.about code').join() === 'run packs' && [...document.querySelectorAll('.about svg')].map((e) => e.getAttribute('viewBox').split('.')[0]).join() "
-             "=== [0, 2].map((i) => document.querySelectorAll('.four svg')[i].getAttribute('viewBox').split('.')[0]).join()"),
+         "/20 times as fast as plain double; at most 0.21 texels off; 5747 pixels differ, by up "
+         "to 156 levels/.test(texts('.about')[0])"),
+        ("", "texts('.about code').join() === 'run packs' && "
+             "[...document.querySelectorAll('.about svg')].map((e) => "
+             "e.getAttribute('viewBox').split('.')[0]).join() "
+             "=== [0, 2].map((i) => document.querySelectorAll('.four "
+             "svg')[i].getAttribute('viewBox').split('.')[0]).join()"),
     ],
     "14_numerical_extremes.html": [
-        ("", "texts('.pairs strong').join() === 'from-1e5,pole,needle,small' && texts('.pairs figcaption')[1].endsWith('acos magnifies the rounding of y')"),
-        ("", "texts('.exhibits article').length === 20 && shown('.pairs .two span')[0].startsWith('published, float29669 wrong, 2000 texels off') && texts('sup').includes('k − 23')"),
-        ("document.querySelector('.pairs svg').dispatchEvent(new MouseEvent('click', {bubbles: true}))",
-         "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, 0.11 texels off|robust, double0 wrong, 1.2e-11 texels off||published, float')"),
+        ("", "texts('.pairs strong').join() === 'from-1e5,pole,needle,small' && texts('.pairs "
+             "figcaption')[1].endsWith('acos magnifies the rounding of y')"),
+        ("", "texts('.exhibits article').length === 20 && shown('.pairs .two "
+             "span')[0].startsWith('published, float29669 wrong, 2000 texels off') && "
+             "texts('sup').includes('k − 23')"),
+        ("document.querySelector('.pairs svg').dispatchEvent(new MouseEvent('click', "
+         "{bubbles: true}))",
+         "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, "
+            "0.11 texels off|robust, double0 wrong, 1.2e-11 texels off||published, float')"),
     ],
     "05_y_rotation.html": [
-        ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate') && texts('td').includes('(−1,\u00a00,\u00a00)')"),
-        ("document.querySelector('button[data-frames]').click()", "/_00[1-9].png$/.test(turning().src)"),
-        ("document.querySelector('button[data-frames]').click()", "turning().getAttribute('src') === '05_y_rotation_000.png'"),
-        ("Object.defineProperty(navigator, 'clipboard', {value: {writeText(words) { window.copied = words; }}}); document.querySelector('.command button').click()",
+        ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate') && "
+             "texts('td').includes('(−1,\u00a00,\u00a00)')"),
+        ("document.querySelector('button[data-frames]').click()",
+         "/_00[1-9].png$/.test(turning().src)"),
+        ("document.querySelector('button[data-frames]').click()",
+         "turning().getAttribute('src') === '05_y_rotation_000.png'"),
+        ("Object.defineProperty(navigator, 'clipboard', {value: {writeText(words) { window.copied "
+         "= words; }}}); document.querySelector('.command button').click()",
          "copied === './course run 05 --degrees 30' && texts('.command button')[0] === 'Copied'"),
-        ("", "[...document.querySelectorAll('.command button')].every((e) => e.offsetHeight >= 36)"),
+        ("",
+         "[...document.querySelectorAll('.command button')].every((e) => e.offsetHeight >= 36)"),
     ],
 }
 HELPERS = """
-function find(words) { const box = document.querySelector('#search'); box.value = words; box.dispatchEvent(new Event('input')); }
-function shown(what) { return [...document.querySelectorAll(what)].filter((e) => e.getClientRects().length).map((e) => e.textContent.replaceAll("\\u2060", "")); }
+function find(words) { const box = document.querySelector('#search'); box.value = words;
+  box.dispatchEvent(new Event('input')); }
+function shown(what) { return [...document.querySelectorAll(what)].filter(
+  (e) => e.getClientRects().length).map((e) => e.textContent.replaceAll("\\u2060", "")); }
 function cut() { return document.querySelector('.pair').style.getPropertyValue('--cut'); }
 function texts(what) { return [...document.querySelectorAll(what)].map((e) => e.textContent); }
-function fraction(above, below) { return [...document.querySelectorAll("mfrac")].some((e) => e.children[0].textContent === above && e.children[1].textContent === below); }
-function turning() { return document.querySelector('button[data-frames]').closest('figure').querySelector('img'); }"""
+function fraction(above, below) { return [...document.querySelectorAll("mfrac")].some((e) =>
+  e.children[0].textContent === above && e.children[1].textContent === below); }
+function turning() { return document.querySelector('button[data-frames]').closest(
+  'figure').querySelector('img'); }"""
 
 
 def run(*words):
-    subprocess.run([str(word) for word in words], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run([str(word) for word in words], check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
 
 
 def made_up_way(number, degree, time, bound, changed, levels, command):
     """As chapter 13 writes what it measured."""
-    return {"command": command, "number": number, "instructions": "baseline", "degree": degree, "filter": "nearest", "time": time,
+    return {"command": command, "number": number, "instructions": "baseline", "degree": degree,
+            "filter": "nearest", "time": time,
             "texels_bound": bound, "changed": changed, "levels": levels}
 
 
 def make_out(book, root, programs, out):
-    """What ./course makes in out/, with golden pictures in place of drawing them again; and the gallery, for who has no cmark-gfm."""
+    """What ./course makes in out/, with golden pictures in place of drawing them again; and the
+    gallery, for who has no cmark-gfm."""
     out.mkdir()
     names = [folder.name for folder in sorted((root / "chapters").glob("[0-9][0-9]_*/"))]
     for name in names:
@@ -207,32 +275,43 @@ def make_out(book, root, programs, out):
             shutil.copy(golden, out)
         else:
             run(programs / name, "--out", out / golden.name)
-    turntable = re.search(r"05_y_rotation_000\.png (--turntable [^)]*)\)", (root / "chapters" / "CMakeLists.txt").read_text())
-    run(programs / "05_y_rotation", "--quiet", "--out", out / "05_y_rotation.png", *shlex.split(turntable[1]))
+    turntable = re.search(r"05_y_rotation_000\.png (--turntable [^)]*)\)",
+                          (root / "chapters" / "CMakeLists.txt").read_text())
+    run(programs / "05_y_rotation", "--quiet", "--out", out / "05_y_rotation.png",
+        *shlex.split(turntable[1]))
     run(programs / "compare_steps", "--quiet", "--shared", "--drawn", out, "--out", out / "diff")
-    run("cmake", f"-DCHAPTERS={';'.join(names)}", f"-DFOLDER={root / 'chapters'}", f"-DGALLERY={out}", "-P", root / "common/tools/gallery.cmake")
+    run("cmake", f"-DCHAPTERS={';'.join(names)}", f"-DFOLDER={root / 'chapters'}",
+        f"-DGALLERY={out}", "-P", root / "common/tools/gallery.cmake")
     (out / "index.html").rename(out / "gallery.html")
-    places = [made_up_way("double", 0, 1, 1.6e-11, 0, 0, "run double"), made_up_way("double", 23, 1.5, 7e-9, 0, 0, "run 23"),
+    places = [made_up_way("double", 0, 1, 1.6e-11, 0, 0, "run double"),
+              made_up_way("double", 23, 1.5, 7e-9, 0, 0, "run 23"),
               made_up_way("float-pack", 5, 0.05, 0.21, 5747, 156, "run packs")]
     (out / "13_speed_for_accuracy.json").write_text(json.dumps({"places": places}))
     (out / "exercises").mkdir()
-    (out / "exercises" / "passed.txt").write_text("01.1 1 2\n02.3 1 2\n01.2 1 2\n")  # as ./course check writes it
+    # as ./course check writes it
+    (out / "exercises" / "passed.txt").write_text("01.1 1 2\n02.3 1 2\n01.2 1 2\n")
     run(book, root, out)
 
 
 def faults_of_files(out):
-    # Pictures that the reader draws and changes are no part of the book, which has copies of its own.
-    drawn = [path for path in out.glob("[0-9][0-9]_*.png") if (out / "pictures" / f"tests-golden-{path.name}").exists()]
-    size = sum(path.stat().st_size for path in out.rglob("*") if path.is_file() and path not in drawn) // 1024
+    # Pictures that the reader draws and changes are no part of the book, which has copies of its
+    # own.
+    drawn = [path for path in out.glob("[0-9][0-9]_*.png")
+             if (out / "pictures" / f"tests-golden-{path.name}").exists()]
+    size = sum(path.stat().st_size for path in out.rglob("*") if path.is_file()
+               and path not in drawn) // 1024
     print(f"the book: {size} KB")
     if size >= MOST_KB:
         yield f"the book has {size} KB, more than {MOST_KB}"
     # A picture without its size moves the text when it arrives.
     for page in out.glob("*.html"):
-        for picture in re.findall(r'<img [^>]*loading="lazy" src="pictures/[^>]*>', page.read_text()):
-            if page.name not in ("index.html", "print.html", "gallery.html") and " width=" not in picture:
+        for picture in re.findall(r'<img [^>]*loading="lazy" src="pictures/[^>]*>',
+                                  page.read_text()):
+            if page.name not in ("index.html", "print.html",
+                                 "gallery.html") and " width=" not in picture:
                 yield f"{page.name}: a picture without a width: {picture[:120]}"
-    # The lines of all sources have numbers, which stand in book.css; a page has 18 lines around its source.
+    # The lines of all sources have numbers, which stand in book.css; a page has 18 lines around its
+    # source.
     numbers = len(re.findall(r"\d\\a", (out / "book.css").read_text()))
     longest = max(page.read_text().count("\n") for page in (out / "source").glob("*.html"))
     if numbers <= longest - 25:
@@ -240,12 +319,14 @@ def faults_of_files(out):
 
 
 def faults_of_formulas(out):
-    """The indented blocks that no rule takes for a formula are listed: each is code, a command or what a program prints."""
+    """The indented blocks that no rule takes for a formula are listed: each is code, a command or
+    what a program prints."""
     formulas = 0
     for page in sorted(out.glob("*.html")):
         text = page.read_text()
         formulas += text.count("<math>")
-        for block in re.findall(r'<div class="code[\w ]* indented"><pre tabindex="0"><code>(.*?)</code>', text, re.DOTALL):
+        for block in re.findall(r'<div class="code[\w ]* indented"><pre '
+                                r'tabindex="0"><code>(.*?)</code>', text, re.DOTALL):
             print(f"{page.name}: no formula: {block.splitlines()[0]}")
             if not re.search(r"[;{*]|\./|--|\bbuild\b|error:", block):
                 yield f"{page.name} has a formula that no rule understands: {block}"
@@ -254,12 +335,15 @@ def faults_of_formulas(out):
 
 
 def faults_of_places(out, root):
-    """Each block of code that a page takes from a file has the file and the line above it, and a link to that line."""
+    """Each block of code that a page takes from a file has the file and the line above it, and a
+    link to that line."""
     def plain(markup):
         return html.unescape(re.sub("<[^>]*>", "", markup)).strip()
     for source in [*root.glob("chapters/*/README.md"), *root.glob("docs/*.md")]:
         page = out / f"{source.parent.name if source.name == 'README.md' else source.stem}.html"
-        places = re.findall(r'<div class="place"><a href="([^"]*)#L(\d+)">([^<]*):\2</a>.*?<code>(.*?)\n', page.read_text())
+        places = re.findall(r'<div class="place"><a '
+                            r'href="([^"]*)#L(\d+)">([^<]*):\2</a>.*?<code>(.*?)\n',
+                            page.read_text())
         marks = len(re.findall("^<!-- code:", source.read_text(), re.MULTILINE))
         if len(places) != marks:
             yield f"{page.name} has {len(places)} places of {marks} pieces of code"
@@ -271,7 +355,8 @@ def faults_of_places(out, root):
 
 
 def faults_of_sheets(out, root):
-    """All pictures and all words of a sheet are on its chapter's page, but not the sheet as a whole, whose letters are small."""
+    """All pictures and all words of a sheet are on its chapter's page, but not the sheet as a
+    whole, whose letters are small."""
     for sheet in (root / "docs/sheets.txt").read_text().split("sheet ")[1:]:
         head, *parts = sheet.splitlines()
         chapter, width, height = head.split()[:3]
@@ -301,14 +386,16 @@ def faults_of_pages(out, pages):
                 browser.open(f"file://{out}/{page}")
                 for width in (1920, 1280, 360):
                     browser.size(width, 900)
-                    yield from (f"{page}, {scheme}, {width} wide: {fault}" for fault in browser.run(LOOK))
+                    yield from (f"{page}, {scheme}, {width} wide: {fault}"
+                                for fault in browser.run(LOOK))
                     if scheme == "light":
                         counts[width] += browser.run(MEASURE)
         for width, least, most in ((1920, 66, 72), (1280, 66, 72), (360, 32, 46)):
             mean = sum(counts[width]) / max(1, len(counts[width]))
             print(f"{width} wide: {mean:.1f} characters a line in {len(counts[width])} paragraphs")
             if len(counts[width]) < 20 or not least <= mean <= most:
-                yield f"{width} wide: {mean} characters a line in {len(counts[width])} paragraphs, not {least} to {most}"
+                yield (f"{width} wide: {mean} characters a line in {len(counts[width])} "
+                       f"paragraphs, not {least} to {most}")
         for page, uses in USES.items():
             browser.size(768 if page == "symptoms.html" else 1280, 900)
             browser.open(f"file://{out}/{page}")
@@ -324,8 +411,10 @@ def faults_of_links(book, root, work):
     (work / "docs").mkdir()
     shutil.copytree(root / "common/tools/book", work / "common/tools/book")
     (work / "chapters/01_a/README.md").write_text("# 01\n\n[a](none.md) [b](#none)\n")
-    made = subprocess.run([book, work, work / "out"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if made.returncode == 0 or "none.md leads nowhere" not in made.stdout or "has no heading #none" not in made.stdout:
+    made = subprocess.run([book, work, work / "out"], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    if (made.returncode == 0 or "none.md leads nowhere" not in made.stdout
+        or "has no heading #none" not in made.stdout):
         yield f"links that lead nowhere: status {made.returncode}, {made.stdout}"
 
 
@@ -341,7 +430,8 @@ def main(words):
         make_out(book, root, programs, out)
         pages = sorted(page.name for page in out.glob("*.html")) + ["diff/02-03/index.html"]
         print(f"{len(pages)} pages", flush=True)
-        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_places(out, root), *faults_of_sheets(out, root),
+        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_places(out, root),
+                  *faults_of_sheets(out, root),
                   *faults_of_links(book, root, pathlib.Path(folder) / "root")]
         try:
             for fault in faults_of_pages(out, pages):

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Chapter 00's file with the pieces of code of chapter 03's page, each put where its mark says: <!-- earth: above "TEXT" -->.
+"""Chapter 00's file with the pieces of code of chapter 03's page, each put where its mark says:
+<!-- earth: above "TEXT" -->.
 
 usage: with_earth.py PAGE SOURCE OUT
 """
@@ -9,7 +10,8 @@ import sys
 
 page, source, out = map(pathlib.Path, sys.argv[1:])
 text = source.read_text(encoding='utf-8')
-pieces = re.findall(r'^<!-- earth: (above|below) "([^"]+)" -->\n```cpp\n(.+?)\n```$', page.read_text(encoding='utf-8'), re.M | re.S)
+pieces = re.findall(r'^<!-- earth: (above|below) "([^"]+)" -->\n```cpp\n(.+?)\n```$',
+                    page.read_text(encoding='utf-8'), re.M | re.S)
 for verb, place, code in pieces:
     if text.count(place) != 1:
         sys.exit(f'{page}: {source} does not have this text once: {place}')

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""The live pictures in a real browser, from file://: the same bytes as the programs, and what happens when something goes wrong.
+"""The live pictures in a real browser, from file://: the same bytes as the programs, and what
+happens when something goes wrong.
 
 usage: test_live.py ROOT BIN LIVE [CHECK ...]
-ROOT is the project, BIN has the chapters' programs, LIVE what ./course playground makes. Status 77 where there is no browser, or no LIVE.
-"""
+ROOT is the project, BIN has the chapters' programs, LIVE what ./course playground makes. Status 77
+where there is no browser, or no LIVE."""
 import base64
 import json
 import math
@@ -20,40 +21,54 @@ import zlib
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path += [str(Path(__file__).resolve().parents[2] / folder) for folder in ("tests/browser", "common/tools/grade")]
+sys.path += [str(Path(__file__).resolve().parents[2] / folder)
+             for folder in ("tests/browser", "common/tools/grade")]
 from browser import Browser, installed, run_checks  # noqa: E402
 from pictures import png  # noqa: E402
 
-# The default picture of each chapter comes first; then what a reader sets on its page, from the default each.
+# The default picture of each chapter comes first; then what a reader sets on its page, from the
+# default each.
 SETTINGS = {
     "01": [{"show": "normal"}, {"number": "float"}],
     "02": [{"show": "uv"}, {"spheres": "plain"}, {"samples": "4"}],
     "03": [{"show": "object"}, {"spheres": "plain"}],
     "04": [{"convention": "daily"}, {"convention": "lecture", "rounding": "lecture"}],
-    "05": [{"degrees": "-135"}, {"degrees": "180", "convention": "daily"}, {"spheres": "hybrid", "number": "float"}],
-    "06": [{"degrees": "40", "blend": "0.5"}, {"blend": "0"}, {"shininess": 2.5}, {"highlight": "lecture", "degrees": "0"},
-           {"scene": "lecture"}, {"scene": "lecture", "highlight": "lecture", "degrees": "77"}, {"samples": "16", "blend": "1"},
-           {"rounding": "lecture", "number": "float"}],
-    "07": [{"samples": 3, "sampler": "multi-jitter"}, {"seed": "5", "sky": "gradient", "defocus": "3", "samples": 5}, {"sky": "gradient", "gamma": "sqrt", "samples": 2}],
-    "08": [{"degrees": "33", "wrap": "clamp"}, {"weights": "heron", "number": "float"}, {"show": "uv"}],
-    "09": [{"filter": "ewa", "taps": "3"}, {"filter": "nearest", "scene": "globe"}, {"wrap": "clamp", "filter": "stochastic"}],
+    "05": [{"degrees": "-135"}, {"degrees": "180", "convention": "daily"},
+           {"spheres": "hybrid", "number": "float"}],
+    "06": [{"degrees": "40", "blend": "0.5"}, {"blend": "0"}, {"shininess": 2.5},
+           {"highlight": "lecture", "degrees": "0"},
+           {"scene": "lecture"}, {"scene": "lecture", "highlight": "lecture", "degrees": "77"},
+           {"samples": "16", "blend": "1"}, {"rounding": "lecture", "number": "float"}],
+    "07": [{"samples": 3, "sampler": "multi-jitter"},
+           {"seed": "5", "sky": "gradient", "defocus": "3", "samples": 5},
+           {"sky": "gradient", "gamma": "sqrt", "samples": 2}],
+    "08": [{"degrees": "33", "wrap": "clamp"}, {"weights": "heron", "number": "float"},
+           {"show": "uv"}],
+    "09": [{"filter": "ewa", "taps": "3"}, {"filter": "nearest", "scene": "globe"},
+           {"wrap": "clamp", "filter": "stochastic"}],
     "10": [{"projection": "octahedral"}, {"projection": "plane", "show": "uv"}],
-    "11": [{"relief": "-0.05", "bump": "blinn"}, {"slopes": "central", "convention": "daily", "degrees": "-20"}],
-    "12": [{"light": "uniform", "samples": 3}, {"light": "mis", "exposure": "-2", "samples": 5}, {"light": "coefficients", "degrees": "90", "samples": 2}],
+    "11": [{"relief": "-0.05", "bump": "blinn"},
+           {"slopes": "central", "convention": "daily", "degrees": "-20"}],
+    "12": [{"light": "uniform", "samples": 3}, {"light": "mis", "exposure": "-2", "samples": 5},
+           {"light": "coefficients", "degrees": "90", "samples": 2}],
 }
 STATE = "document.querySelector('.live')?.dataset.state"
 CANVAS = "document.querySelector('.live-picture > canvas')"
 SAYS = "document.querySelector('.live-says').textContent"
 COMMAND = "document.querySelector('.live-command code').textContent"
 # Rows of the loupe, and the chapters that explain them.
-FIRST_IN = (("02", "u"), ("02", "v"), ("02", "square"), ("03", "texel"), ("05", "n rotated"), ("06", "r"), ("06", "highlight"))
+FIRST_IN = (("02", "u"), ("02", "v"), ("02", "square"), ("03", "texel"), ("05", "n rotated"),
+            ("06", "r"), ("06", "highlight"))
 LOUPE = "document.querySelector('.live-loupe')"
 # Keeps the page's workers, and what each said, on a machine of four cores.
 WORKERS = """window.workers = [];
-  window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); this.said = [];
-    this.addEventListener("message", ({data: {kind, id, last, pass}}) => { this.said.push({kind, id, last, pass}); }); } };
+  window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this);
+    this.said = [];
+    this.addEventListener("message", ({data: {kind, id, last, pass}}) => { this.said.push({kind, id,
+      last, pass}); }); } };
   Object.defineProperty(navigator, "hardwareConcurrency", {value: 4});"""
-BOX = f"(({{left, top, width, height}}) => [left, top, width, height])({CANVAS}.getBoundingClientRect())"
+BOX = (f"(({{left, top, width, height}}) => [left, top, width, "
+       f"height])({CANVAS}.getBoundingClientRect())")
 
 
 class Place:
@@ -76,27 +91,34 @@ class Place:
 
     def write(self, chapter, body):
         (self.folder / f"{chapter}.html").write_text(
-            f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{chapter}</title><link rel="icon" href="data:,">
-<meta name="viewport" content="width=device-width"><link rel="stylesheet" href="book.css"><link rel="stylesheet" href="live/live.css">
+            f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{chapter}</title>
+<link rel="icon" href="data:,"><meta name="viewport" content="width=device-width">
+<link rel="stylesheet" href="book.css"><link rel="stylesheet" href="live/live.css">
 <script src="live/live.js" defer></script>{body}</html>
 """)
 
     def program(self, chapter):
-        return next(folder.name for folder in sorted((self.root / "chapters").iterdir()) if folder.name.startswith(chapter + "_"))
+        return next(folder.name for folder in sorted((self.root / "chapters").iterdir())
+                    if folder.name.startswith(chapter + "_"))
 
     def unlike(self, drawn, words, *size):
-        """How a picture differs from what ./course run, words and an own size draw; nothing if it does not."""
+        """How a picture differs from what ./course run, words and an own size draw; nothing if it
+        does not."""
         mine, native = self.folder / "mine.png", self.folder / "native.png"
         mine.write_bytes(png(*drawn))
         if size:
             words = [*words, "--width", str(size[0]), "--height", str(size[1])]
-        subprocess.run([self.programs / self.program(words[2]), *words[3:], "--quiet", "--out", native], check=True, cwd=self.folder)
-        said = subprocess.run([self.programs / "compare", mine, native], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        return [] if said.returncode == 0 else [f"{words} at {drawn[0]} x {drawn[1]}: {said.stdout.strip()}"]
+        subprocess.run([self.programs / self.program(words[2]), *words[3:], "--quiet", "--out",
+                        native], check=True, cwd=self.folder)
+        said = subprocess.run([self.programs / "compare", mine, native], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True)
+        return [] if said.returncode == 0 else [f"{words} at {drawn[0]} x {drawn[1]}: "
+                                                f"{said.stdout.strip()}"]
 
     def variant(self, name, chapter, old, new):
         """The page of a chapter with another text."""
-        (self.folder / name).write_text((self.folder / f"{chapter}.html").read_text().replace(old, new))
+        (self.folder
+         / name).write_text((self.folder / f"{chapter}.html").read_text().replace(old, new))
         return name
 
     def open(self, browser, page):
@@ -113,17 +135,21 @@ def settle(browser, also="true"):
 
 
 def press(browser, button):
-    browser.run(f"[...document.querySelectorAll('.live button')].find((b) => b.textContent === '{button}').click()")
+    browser.run("[...document.querySelectorAll('.live button')].find((b) => b.textContent === "
+                f"'{button}').click()")
 
 
 def change(browser, **options):
-    """Moves controls as a hand does: the value, then its event. On a slow machine the full picture may come in place of the small one."""
+    """Moves controls as a hand does: the value, then its event. On a slow machine the full picture
+    may come in place of the small one."""
     for option, value in options.items():
         browser.run(f"""(() => {{
           const field = document.getElementById("live--{option}");
           if (field.disabled) field.parentElement.querySelector("input[type=checkbox]").click();
-          field.value = {str(option == "shininess").lower()} || (field.type === "range" && "{option}" === "samples") ? Math.log10({value!r}) : {value!r};
-          field.dispatchEvent(new Event(field.type === "range" ? "input" : "change", {{bubbles: true}}));
+          field.value = {str(option == "shininess").lower()} || (field.type === "range" &&
+            "{option}" === "samples") ? Math.log10({value!r}) : {value!r};
+          field.dispatchEvent(new Event(field.type === "range" ? "input" : "change",
+            {{bubbles: true}}));
         }})()""")
         settle(browser)
 
@@ -132,11 +158,13 @@ def pixels(browser, canvas=CANVAS):
     """Columns, rows and RGB bytes of a canvas."""
     columns, rows, text = browser.run(f"""(() => {{
       const {{width, height}} = {canvas};
-      const copy = new OffscreenCanvas(width, height).getContext("2d", {{willReadFrequently: true}});
+      const copy = new OffscreenCanvas(width, height).getContext("2d",
+        {{willReadFrequently: true}});
       copy.drawImage({canvas}, 0, 0);
       const rgba = copy.getImageData(0, 0, width, height).data;
       let text = "";
-      for (let i = 0; i < rgba.length; i += 4) text += String.fromCharCode(rgba[i], rgba[i + 1], rgba[i + 2]);
+      for (let i = 0; i < rgba.length; i += 4) text += String.fromCharCode(rgba[i], rgba[i + 1],
+        rgba[i + 2]);
       return [width, height, btoa(text)];
     }})()""")
     return columns, rows, base64.b64decode(text)
@@ -151,25 +179,29 @@ def check_pixels(place, browser):
             settle(browser)
             change(browser, **setting)
             words = shlex.split(browser.run(COMMAND))
-            if words[:3] != ["./course", "run", chapter] or any("--" + name not in words for name in setting):
+            if words[:3] != ["./course", "run",
+                             chapter] or any("--" + name not in words for name in setting):
                 yield f"{chapter} {setting}: the command is {words}"
                 continue
             yield from place.unlike(pixels(browser), words)
             if "--samples" not in words:  # a small picture takes one ray a pixel, or a few samples
                 small = pixels(browser, "document.querySelector('.live').small")
-                drawn_by = json.loads(browser.run("document.querySelector('.live').small.dataset.words"))
+                drawn_by = json.loads(
+                    browser.run("document.querySelector('.live').small.dataset.words"))
                 yield from place.unlike(small, words[:3] + drawn_by, *small[:2])
 
 
 def check_files(place, browser):
-    """A bad file is refused in words, and the picture before stays; a good one, chosen or dropped, is drawn as the program draws it."""
+    """A bad file is refused in words, and the picture before stays; a good one, chosen or dropped,
+    is drawn as the program draws it."""
     def file(name, data):
         (place.folder / name).write_bytes(data)
         return place.folder / name
 
     header = struct.pack(">4sIIBBBBB", b"IHDR", 2000000000, 2000000000, 8, 2, 0, 0, 0)
     one = png(1, 1, bytes(3))
-    bad = [file("no picture.png", b"these are words"), file("empty.png", b""), file("large.png", b""),
+    bad = [file("no picture.png", b"these are words"), file("empty.png", b""),
+           file("large.png", b""),
            file("huge.png", one[:12] + header + struct.pack(">I", zlib.crc32(header)) + one[33:])]
     os.truncate(bad[2], (64 << 20) + 1)
     good = {"06": file("my map.png", png(4, 2, bytes([*range(0, 240, 20), *range(240, 0, -20)]))),
@@ -182,7 +214,8 @@ def check_files(place, browser):
             browser.wait(f"{SAYS}.includes({one.name!r})", 20)
             words = browser.run(SAYS)
             if "own_" in words or len(words) < 20 or pixels(browser) != before:
-                yield f"{one.name}: {words!r}, and the picture {'stays' if pixels(browser) == before else 'changes'}"
+                yield (f"{one.name}: {words!r}, and the picture "
+                       f"{'stays' if pixels(browser) == before else 'changes'}")
         change(browser, show="uv")
         change(browser, show="color")
         if pixels(browser) != before:
@@ -191,11 +224,14 @@ def check_files(place, browser):
             browser.choose_file(".live input[type=file]", str(chosen))
         else:
             browser.run(f"""(() => {{
-              const bytes = Uint8Array.from(atob("{base64.b64encode(chosen.read_bytes()).decode()}"), (c) => c.charCodeAt(0));
-              for (const name of ["before.png", "{chosen.name}"]) {{  // the second counts, although the first is still read
+              const bytes = Uint8Array.from(
+                atob("{base64.b64encode(chosen.read_bytes()).decode()}"), (c) => c.charCodeAt(0));
+              for (const name of ["before.png", "{chosen.name}"]) {{  // the second counts,
+                although the first is still read
                 const dataTransfer = new DataTransfer();
                 dataTransfer.items.add(new File([bytes], name));
-                {CANVAS}.dispatchEvent(new DragEvent("drop", {{dataTransfer, bubbles: true, cancelable: true}}));
+                {CANVAS}.dispatchEvent(new DragEvent("drop", {{dataTransfer, bubbles: true,
+                  cancelable: true}}));
               }}
             }})()""")
         settle(browser, f"{COMMAND}.includes('{chosen.name}')")
@@ -209,10 +245,16 @@ def check_files(place, browser):
 
 
 def check_meshes(place, browser):
-    """A mesh, normal map or sky of the reader's is drawn as the program draws it; a bad one is refused by its name, and the picture before stays."""
-    for chapter, nth, good, bad in (("08", 2, ("tent.obj", "v 0 0 0\nv 2 0 0\nv 1 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"), ("bad.obj", "f 1 2 3\n")),
-                                    ("11", 3, ("up.png", png(4, 2, bytes((128, 128, 255)) * 8)), ("inward.png", png(4, 2, bytes((128, 128, 9)) * 8))),
-                                    ("12", 1, ("sky.png", png(4, 2, bytes(range(0, 240, 10)))), ("odd.png", png(3, 1, bytes(range(9)))))):
+    """A mesh, normal map or sky of the reader's is drawn as the program draws it; a bad one is
+    refused by its name, and the picture before stays."""
+    for chapter, nth, good, bad in (("08", 2,
+                                     ("tent.obj", "v 0 0 0\nv 2 0 0\nv 1 2 1\nvt 0 0\nvt 1 0\nvt "
+                                                  "1 1\nf 1/1 2/2 3/3\n"),
+                                     ("bad.obj", "f 1 2 3\n")),
+                                    ("11", 3, ("up.png", png(4, 2, bytes((128, 128, 255)) * 8)),
+                                     ("inward.png", png(4, 2, bytes((128, 128, 9)) * 8))),
+                                    ("12", 1, ("sky.png", png(4, 2, bytes(range(0, 240, 10)))),
+                                     ("odd.png", png(3, 1, bytes(range(9)))))):
         place.show(browser, f"{chapter}.html")
         change(browser, **({"samples": 3} if chapter == "12" else {}))
         before = pixels(browser)
@@ -231,60 +273,77 @@ def check_meshes(place, browser):
 
 
 def check_hands(place, browser):
-    """A drag on 11's globe moves the lamp there, a place on 10's map is found on the globe, and 09's line and loupe show the other filter."""
+    """A drag on 11's globe moves the lamp there, a place on 10's map is found on the globe, and
+    09's line and loupe show the other filter."""
     browser.size(1280, 1400)
 
     def at(page, thing=CANVAS):
         place.show(browser, page)
         browser.run(thing + ".scrollIntoView({block: 'center'})")
         left, top, width, height = browser.run(BOX.replace(CANVAS, thing))
-        return lambda kind, x, y, **more: browser.mouse(kind, left + width * x, top + height * y, **more)
+        return lambda kind, x, y, **more: browser.mouse(kind, left + width * x, top + height * y,
+                                                        **more)
 
     mouse = at("11.html")
-    for kind, x in (("mousePressed", 0.5), ("mouseMoved", 0.7), ("mouseMoved", 0.75), ("mouseReleased", 0.75)):
+    for kind, x in (("mousePressed", 0.5), ("mouseMoved", 0.7), ("mouseMoved", 0.75),
+                    ("mouseReleased", 0.75)):
         mouse(kind, x, 0.5, button="left", buttons=int(kind != "mouseReleased"), clickCount=1)
     settle(browser)
-    lamp = [float(browser.run(f"document.getElementById('live--lamp-{way}').value")) for way in ("around", "up")]
+    lamp = [float(browser.run(f"document.getElementById('live--lamp-{way}').value"))
+            for way in ("around", "up")]
     if abs(lamp[0] - 30) > 1 or abs(lamp[1]) > 1 or not browser.run(LOUPE + ".hidden"):
         yield f"the lamp is at {lamp}"
     mouse = at("10.html", "document.querySelector('.live-second > canvas')")
     change(browser, projection="equirect")
-    for x, shown in ((0.25, True), (0.75, False)):  # the eye looks from +z, which is there by --convention rtiow
+    # the eye looks from +z, which is there by --convention rtiow
+    for x, shown in ((0.25, True), (0.75, False)):
         mouse("mouseMoved", x, 0.42)
-        browser.wait(f"!document.querySelector('.live-second .live-mark').hidden && {LOUPE}.hidden === {str(not shown).lower()}", 20)
+        browser.wait("!document.querySelector('.live-second .live-mark').hidden && "
+                     f"{LOUPE}.hidden === {str(not shown).lower()}", 20)
     for kind in ("mousePressed", "mouseReleased"):
         mouse(kind, 0.25, 0.42, button="left", clickCount=1)
     mouse("mouseMoved", 0.75, 0.42)  # a click on the map holds its place, too
     browser.wait(f"{LOUPE}.textContent.includes('held')", 20)
     change(browser, projection="octahedral")
-    yield from place.unlike(pixels(browser, "document.querySelector('.live-second > canvas')"), ["./course", "run", "10", "--to", "octahedral"])
+    yield from place.unlike(pixels(browser, "document.querySelector('.live-second > canvas')"),
+                            ["./course", "run", "10", "--to", "octahedral"])
     browser.run("HTMLAnchorElement.prototype.click = function () { window.saved = this.download; }")
     press(browser, "Save the map")
     browser.wait("window.saved === 'octahedral.png'", 20)
     mouse = at("09.html")
-    browser.run("{ const f = document.querySelector('.live-line'); f.value = 20; f.dispatchEvent(new Event('input')); }")
+    browser.run("{ const f = document.querySelector('.live-line'); f.value = 20; "
+                "f.dispatchEvent(new Event('input')); }")
     clip = browser.run("getComputedStyle(document.querySelector('.live-second > canvas')).clipPath")
     if "80%" not in clip and "100% - 20%" not in clip:
         yield f"the line at 20 % cuts by {clip}"
-    for x, words, reads in ((0.15, "nearest, left", "reads1 texel of"), (0.25, "anisotropic, right", "texels")):
+    for x, words, reads in ((0.15, "nearest, left", "reads1 texel of"),
+                            (0.25, "anisotropic, right", "texels")):
         mouse("mouseMoved", x, 0.5)
-        browser.wait(f"{LOUPE}.textContent.includes({words!r}) && {LOUPE}.textContent.includes({reads!r})", 20)
-        if x < 0.2 and not browser.run(LOUPE + ".querySelector('td').textContent.match(/: *(0 0 0|255 255 255)/)"):
-            yield f"left of the line the color is not the nearest square's: {browser.run(LOUPE + '.textContent')}"
+        browser.wait(f"{LOUPE}.textContent.includes({words!r}) && "
+                     f"{LOUPE}.textContent.includes({reads!r})", 20)
+        if x < 0.2 and not browser.run(LOUPE + ".querySelector('td').textContent.match(/: *(0 0 "
+                                               "0|255 255 255)/)"):
+            yield ("left of the line the color is not the nearest square's: "
+                   f"{browser.run(LOUPE + '.textContent')}")
     change(browser, beside="ewa")
     if "--beside" in browser.run(COMMAND):  # the program has no such option
         yield "the command names the filter left of the line"
 
 
 def check_curves(place, browser):
-    """The errors that 07 draws against samples are those of the programs' pictures against that of most samples by the best pattern."""
+    """The errors that 07 draws against samples are those of the programs' pictures against that of
+    most samples by the best pattern."""
     place.open(browser, "07.html")
     told = "document.querySelector('.live-trace svg')?.ariaLabel"
     stands = "document.querySelector('.live-stand')?.clientHeight > 0"
-    browser.wait(f"{STATE} === 'drawing' && {stands} && document.querySelector('.live-stand').naturalWidth === 400")  # the still picture, until the last pass
+    # the still picture, until the last pass
+    browser.wait(f"{STATE} === 'drawing' && {stands} && "
+                 "document.querySelector('.live-stand').naturalWidth === 400")
     settle(browser, f"!({stands})")
     browser.wait(f"{told}?.includes(' at 16')")
-    browser.run(f"new MutationObserver(() => window.stood ||= {stands}).observe(document.querySelector('.live-refined'), {{subtree: true, childList: true}})")
+    browser.run("new MutationObserver(() => window.stood ||= "
+                f"{stands}).observe(document.querySelector('.live-refined'), {{subtree: true, "
+                f"childList: true}})")
     change(browser, sampler="random")
     if browser.run("window.stood"):
         yield "by another pattern the still picture stands for one that it is not"
@@ -292,29 +351,43 @@ def check_curves(place, browser):
 
     def drawn(sampler, samples):
         picture = place.folder / f"{sampler}_{samples}.png"
-        subprocess.run([place.programs / place.program("07"), "--sampler", sampler, "--samples", str(samples), "--quiet", "--out", picture], check=True, cwd=place.folder)
+        subprocess.run([place.programs / place.program("07"), "--sampler", sampler, "--samples",
+                        str(samples), "--quiet", "--out", picture], check=True, cwd=place.folder)
         return picture
 
     for sampler, all_samples in (("random", (1, 4, 16, 64)), ("sobol", (1, 4, 16))):
         listed = re.search(f"Error by {sampler}: ([^a-z]* at [^A-Z]*)", browser.run(told))[1]
-        found = {int(samples): float(error) for error, samples in re.findall(r"([\d.]+) at (\d+)", listed)}
+        found = {int(samples): float(error)
+                 for error, samples in re.findall(r"([\d.]+) at (\d+)", listed)}
         right = {}
         for samples in all_samples:
-            said = subprocess.run([place.programs / "compare", drawn(sampler, samples), drawn("sobol", 64)], stdout=subprocess.PIPE, text=True).stdout
+            said = subprocess.run([place.programs / "compare", drawn(sampler, samples),
+                                   drawn("sobol", 64)], stdout=subprocess.PIPE, text=True).stdout
             right[samples] = float(re.search(r"RMSE +([\d.]+)", said)[1])
-        if found.keys() != right.keys() or any(abs(found[one] / right[one] - 1) > 0.005 for one in right):
+        if found.keys() != right.keys() or any(abs(found[one] / right[one] - 1) > 0.005
+                                               for one in right):
             yield f"{sampler}: the page has {found}, the programs {right}"
 
 
 def check_more(place, browser):
-    """Of 07 and 12 three workers draw a full picture, as the program does, also if one dies or breaks; a change stops them all."""
+    """Of 07 and 12 three workers draw a full picture, as the program does, also if one dies or
+    breaks; a change stops them all."""
     browser.call("Page.addScriptToEvaluateOnNewDocument", source=WORKERS)
-    for chapter, seed, act in (("07", 1, "0"), ("07", 2, "workers[1].terminate()"), ("12", 3, "workers[2].postMessage({kind: 'none'})")):
-        place.open(browser, place.variant("impatient.html", chapter, "data-live", 'data-patience="8" data-live'))
-        browser.wait(f"{STATE} === 'done' && workers.length === 3 && workers[1].said.at(-1)?.kind === 'seen' && workers[2].said.at(-1)?.kind === 'seen'")
-        drag = """(async () => { let before; const field = document.getElementById('live--seed'); for (let i = %d; i >= 0; --i) {
-          field.value = %d + i %% 9; field.dispatchEvent(new Event('input')); before ??= workers[1].said.length;
-          await new Promise((done) => setTimeout(done, 50)); } return workers[1].said.length - before; })()"""
+    for chapter, seed, act in (("07", 1, "0"), ("07", 2, "workers[1].terminate()"),
+                               ("12", 3, "workers[2].postMessage({kind: 'none'})")):
+        place.open(browser, place.variant("impatient.html", chapter, "data-live",
+                                          'data-patience="8" data-live'))
+        browser.wait(f"{STATE} === 'done' && workers.length === 3 && workers[1].said.at(-1)?.kind "
+                     "=== 'seen' && workers[2].said.at(-1)?.kind === 'seen'")
+        drag = """(async () => {
+          let before;
+          const field = document.getElementById('live--seed');
+          for (let i = %d; i >= 0; --i) {
+            field.value = %d + i %% 9; field.dispatchEvent(new Event('input'));
+            before ??= workers[1].said.length;
+            await new Promise((done) => setTimeout(done, 50));
+          }
+          return workers[1].said.length - before; })()"""
         browser.run(drag % (0, seed + 1))
         browser.wait("workers.every((one) => one.said.at(-1).pass > 2)")
         if browser.run(drag % (36, seed)) > 6:
@@ -325,11 +398,14 @@ def check_more(place, browser):
 
 
 def check_fields(place, browser):
-    """A number that the chapter refuses is named beside its field; the one before stays, and other controls go on."""
+    """A number that the chapter refuses is named beside its field; the one before stays, and other
+    controls go on."""
     place.show(browser, "07.html")
-    row, other = (f"document.getElementById('live--{option}').parentElement" for option in ("samples", "defocus"))
+    row, other = (f"document.getElementById('live--{option}').parentElement"
+                  for option in ("samples", "defocus"))
     for field in (row, other):  # the second before the first is refused
-        browser.run(f"{{ const field = {field}.querySelector('[type=number]'); field.value = -17.4; field.dispatchEvent(new Event('change')); }}")
+        browser.run(f"{{ const field = {field}.querySelector('[type=number]'); field.value = "
+                    f"-17.4; field.dispatchEvent(new Event('change')); }}")
     browser.wait(f"{row}.textContent.includes('17.4') && {other}.textContent.includes('17.4')", 20)
     change(browser, seed=3)
     yield from place.unlike(pixels(browser), ["./course", "run", "07", "--seed", "3"])
@@ -339,13 +415,17 @@ def check_fields(place, browser):
 
 
 def check_lost(place, browser):
-    """A worker that dies or breaks leaves the still picture; the button brings the live one back."""
+    """A worker that dies or breaks leaves the still picture; the button brings the live one
+    back."""
     browser.call("Page.addScriptToEvaluateOnNewDocument", source=WORKERS)
-    place.show(browser, place.variant("impatient.html", "06", 'data-live="06"', 'data-live="06" data-patience="4"'))
+    place.show(browser, place.variant("impatient.html", "06", 'data-live="06"',
+                                      'data-live="06" data-patience="4"'))
     for act in ("workers.at(-1).terminate()", "workers.at(-1).postMessage({kind: 'none'})"):
-        browser.run(act + "; { const f = document.getElementById('live--degrees'); f.value = 33; f.dispatchEvent(new Event('input')); }")
+        browser.run(act + "; { const f = document.getElementById('live--degrees'); f.value = 33; "
+                          "f.dispatchEvent(new Event('input')); }")
         browser.wait(f"{STATE} === 'lost'", 30)
-        if browser.run("document.querySelector('main img').getBoundingClientRect().height") < 100 or not browser.run(CANVAS + ".hidden"):
+        height = browser.run("document.querySelector('main img').getBoundingClientRect().height")
+        if height < 100 or not browser.run(CANVAS + ".hidden"):
             yield act + ": the still picture is not there"
         press(browser, "Try again")
         settle(browser)
@@ -356,12 +436,14 @@ def check_lost(place, browser):
 
 
 def check_still(place, browser):
-    """Without JavaScript, WebAssembly, DecompressionStream or the module's file the page is as it was."""
+    """Without JavaScript, WebAssembly, DecompressionStream or the module's file the page is as it
+    was."""
     shutil.copytree(place.folder / "live", place.folder / "none")
     (place.folder / "none/modules.js").unlink()
     page = place.variant("none.html", "03", '"live/live.js"', '"none/live.js"')
     heights = {}
-    for lacks in ("", "delete window.WebAssembly", "WebAssembly.validate = () => false", "delete window.DecompressionStream", "no module"):
+    for lacks in ("", "delete window.WebAssembly", "WebAssembly.validate = () => false",
+                  "delete window.DecompressionStream", "no module"):
         with Browser() as other:
             if lacks == "":
                 other.call("Emulation.setScriptExecutionDisabled", value=True)
@@ -370,7 +452,8 @@ def check_still(place, browser):
             place.open(other, page if lacks == "no module" else "03.html")
             time.sleep(1)
             other.call("Emulation.setScriptExecutionDisabled", value=False)
-            if other.run("!!document.querySelector('.live') || document.querySelector('main img').getBoundingClientRect().height < 100"):
+            if other.run("!!document.querySelector('.live') || document.querySelector('main "
+                         "img').getBoundingClientRect().height < 100"):
                 yield f"{lacks}: there are controls, or no picture"
             heights[lacks] = other.run("document.documentElement.scrollHeight")
             if lacks != "no module":  # there the browser itself says that a file is missing
@@ -382,50 +465,75 @@ def check_still(place, browser):
 def evaluated(text):
     """The value of a formula as the page writes it."""
     text = re.sub(r"([0-9.e]+|\))²", r"\1**2", re.sub(r"-([0-9.e]+)²", r"-(\1)**2", text))
-    for mark, word in (("−", "-"), ("·", "*"), ("^", "**"), ("√", "sqrt"), ("/ 2π", "/ (2*pi)"), ("π", "pi")):
+    for mark, word in (("−", "-"), ("·", "*"), ("^", "**"), ("√", "sqrt"), ("/ 2π", "/ (2*pi)"),
+                       ("π", "pi")):
         text = text.replace(mark, word)
-    return eval(text, {"__builtins__": {}, "atan2": math.atan2, "sqrt": math.sqrt, "pi": math.pi, "frac": lambda x: x % 1})  # noqa: S307
+    # noqa: S307
+    return eval(text, {"__builtins__": {}, "atan2": math.atan2, "sqrt": math.sqrt, "pi": math.pi,
+                       "frac": lambda x: x % 1})
 
 
 def check_loupe(place, browser):
-    """The loupe's formulas, evaluated, give the module's (u, v), light and the picture's color; keys, pointer and Escape work."""
+    """The loupe's formulas, evaluated, give the module's (u, v), light and the picture's color;
+    keys, pointer and Escape work."""
     count = 0
     browser.size(1280, 1000)
-    for chapter, settings in (("01", [{}]), ("02", [{}]), ("03", [{"show": "uv"}, {"show": "normal"}]), ("04", [{"convention": "daily"}, {"convention": "lecture"}]), ("05", [{"degrees": "-135"}]),
-                              ("06", [{"degrees": "33", "convention": "daily"}, {"blend": "0.6", "scene": "stage"}, {"scene": "lecture"},
+    for chapter, settings in (("01", [{}]), ("02", [{}]),
+                              ("03", [{"show": "uv"}, {"show": "normal"}]),
+                              ("04", [{"convention": "daily"}, {"convention": "lecture"}]),
+                              ("05", [{"degrees": "-135"}]),
+                              ("06", [{"degrees": "33", "convention": "daily"},
+                                      {"blend": "0.6", "scene": "stage"}, {"scene": "lecture"},
                                       {"highlight": "lecture"}])):
         place.show(browser, f"{chapter}.html")
         for setting in settings:
             change(browser, **setting)
             browser.run(CANVAS + ".scrollIntoView()")
             left, top, width, height = browser.run(BOX)
-            for across, down in ((0.46, 0.45), (0.5, 0.5), (0.53, 0.55), (0.75, 0.55), (0.1, 0.9), (0.2, 0.1), (0.3, 0.5), (0.72, 0.5), (0.9, 0.7),
-                                 (0.6, 0.3)):
+            for across, down in ((0.46, 0.45), (0.5, 0.5), (0.53, 0.55), (0.75, 0.55), (0.1, 0.9),
+                                 (0.2, 0.1), (0.3, 0.5), (0.72, 0.5), (0.9, 0.7), (0.6, 0.3)):
                 browser.mouse("mouseMoved", left + width * across, top + height * down)
-                near = f"[-1, 0, 1].some((n) => {LOUPE}.textContent.includes(`column ${{Math.floor({across} * {CANVAS}.width) + n}},`))"
+                near = (f"[-1, 0, 1].some((n) => {LOUPE}.textContent.includes(`column "
+                        f"${{Math.floor({across} * {CANVAS}.width) + n}},`))")
                 browser.wait(f"!{LOUPE}.hidden && {near}", 20)
                 # A number is shown rounded; its element has all digits.
-                rows = browser.run("""[...document.querySelectorAll(".live-loupe tr")].map((row) => {
+                rows = browser.run(
+                    """[...document.querySelectorAll(".live-loupe tr")].map((row) => {
                   const exact = row.cloneNode(true);
                   for (const data of exact.querySelectorAll("data")) data.textContent = data.value;
                   return [row.cells[0].textContent, exact.cells[1].textContent];
                 })""")
                 names = {name for name, _ in rows}
                 if names & {"lambert", "u"} and not {"red", "green", "blue"} <= names:
-                    yield f"{chapter} {setting}: at {across}, {down} the light and the paint do not make the pixel's color"
-                early = {name for name in names for first, word in FIRST_IN if name == word and chapter < first}
-                if early or ("discriminant" in names) != (chapter == "01") or re.search(r"object \d", str(rows)):
-                    yield f"{chapter}: rows of another chapter, or a number for a name: {early or rows}"
-                if chapter == "01":  # the smaller root is the module's distance; in the sky there is none
+                    yield (f"{chapter} {setting}: at {across}, {down} the light and the paint do "
+                           "not make the pixel's color")
+                early = {name for name in names for first, word in FIRST_IN if name == word
+                         and chapter < first}
+                if early or ("discriminant" in names) != (chapter == "01") or re.search(
+                    r"object \d", str(rows)):
+                    yield (f"{chapter}: rows of another chapter, or a number for a name: "
+                           f"{early or rows}")
+                # the smaller root is the module's distance; in the sky there is none
+                if chapter == "01":
                     found = dict(rows)
-                    roots, (_, _, distance) = re.findall(r"[\d.]+", found.get("t", "").split(" = ")[-1]), found["hit"].partition("distance ")
-                    if bool(roots) != bool(distance) or (roots and abs(float(roots[0]) / float(distance) - 1) > 1e-9) or (" = -" in found["discriminant"]) == bool(distance):
-                        yield f"01: the roots {found.get('t')} of {found['discriminant']} at {distance}"
+                    roots, (_, _, distance) = re.findall(r"[\d.]+",
+                                                         found.get("t",
+                                                                   "").split(" = ")[-1]), found[
+                                                                       "hit"].partition("distance ")
+                    if bool(roots) != bool(distance) or (roots
+                                                         and abs(float(roots[0]) / float(distance)
+                                                                 - 1) > 1e-9) or (
+                                                                     " = -" in found[
+                                                                         "discriminant"]) == bool(
+                                                                             distance):
+                        yield (f"01: the roots {found.get('t')} of {found['discriminant']} at "
+                               f"{distance}")
                 for name, exact in rows:
                     parts = re.sub(", at most 255|: .*", "", exact).split(" = ")
                     if name in ("u", "v") and len(parts) != 3:
                         yield f"{chapter} {setting}: no formula in {exact}"
-                    elif name in ("u", "v", "lambert", "highlight", "red", "green", "blue", "discriminant") and len(parts) > 1:
+                    elif name in ("u", "v", "lambert", "highlight", "red", "green", "blue",
+                                  "discriminant") and len(parts) > 1:
                         count += name in ("u", "v")
                         if abs(evaluated(parts[-2]) - float(parts[-1])) > 1e-9:
                             yield f"{chapter} {setting}: {name}: {exact} is {evaluated(parts[-2])}"
@@ -438,7 +546,8 @@ def check_loupe(place, browser):
     browser.mouse("mouseMoved", 2, 2)
     browser.wait(f"{LOUPE}.hidden")
     browser.run(CANVAS + ".focus()")
-    for key, text in (("ArrowRight", "column 400, row 200"), ("ArrowRight", "column 401, row 200"), ("ArrowUp", "column 401, row 199")):
+    for key, text in (("ArrowRight", "column 400, row 200"), ("ArrowRight", "column 401, row 200"),
+                      ("ArrowUp", "column 401, row 199")):
         browser.key(key)
         shows(text)
     browser.key("Escape")
@@ -459,14 +568,17 @@ def check_loupe(place, browser):
 
 
 def box_of(browser, script):
-    return browser.run(f"(({{left, top, right, bottom}}) => [left, top, right, bottom])({script}.getBoundingClientRect())")
+    return browser.run(f"(({{left, top, right, bottom}}) => [left, top, right, "
+                       f"bottom])({script}.getBoundingClientRect())")
 
 
 def check_beside(place, browser):
-    """The loupe covers no part of the picture, and its map is in the window with it; a pixel that is held stays while a slider moves."""
+    """The loupe covers no part of the picture, and its map is in the window with it; a pixel that
+    is held stays while a slider moves."""
     for width, height in ((1280, 800), (1920, 1080), (360, 800)):
         browser.size(width, height)
-        for chapter in sorted(SETTINGS, key=lambda one: one == "06"):  # whose globe turns in the end
+        # whose globe turns in the end
+        for chapter in sorted(SETTINGS, key=lambda one: one == "06"):
             place.show(browser, f"{chapter}.html")
             browser.run(CANVAS + ".scrollIntoView()")
             if width > 360:
@@ -476,10 +588,12 @@ def check_beside(place, browser):
                 browser.key("ArrowRight")
                 time.sleep(0.2)
                 if browser.run(column) != example:
-                    yield f"{chapter} at {width}: no example, or an arrow key moves it before the reader points at a pixel"
+                    yield (f"{chapter} at {width}: no example, or an arrow key moves it before "
+                           "the reader points at a pixel")
             left, top, right, bottom = box_of(browser, CANVAS)
             for kind in ("mousePressed", "mouseReleased"):
-                browser.mouse(kind, (left + right) / 2, (top + bottom) / 2, button="left", clickCount=1)
+                browser.mouse(kind, (left + right) / 2, (top + bottom) / 2, button="left",
+                              clickCount=1)
             browser.wait(f"!{LOUPE}.hidden")
             left, top, right, bottom = box_of(browser, CANVAS)
             its_left, its_top, its_right, its_bottom = box_of(browser, LOUPE)
@@ -487,7 +601,8 @@ def check_beside(place, browser):
                 yield f"{chapter} at {width}: the loupe covers the picture"
             if chapter > "06":  # their loupes have drawings of their own
                 continue
-            shown = box_of(browser, "[...document.querySelectorAll('.live-map')].find((one) => !one.hidden)")
+            shown = box_of(browser,
+                           "[...document.querySelectorAll('.live-map')].find((one) => !one.hidden)")
             if shown[1] < 0 or shown[3] > height or shown[3] - shown[1] < 100 or shown[2] > width:
                 yield f"{chapter} at {width}: the map or drawing is at {shown}"
     before = browser.run(LOUPE + ".textContent")
@@ -505,7 +620,8 @@ def check_beside(place, browser):
 
 
 def check_motion(place, browser):
-    """The globe turns by itself only when asked, not for who asked for less motion, and not where nobody sees it."""
+    """The globe turns by itself only when asked, not for who asked for less motion, and not where
+    nobody sees it."""
     degrees = "Number(document.getElementById('live--degrees').value)"
     button = "document.querySelector('.live-turn')"
     browser.media(prefers_reduced_motion="reduce")
@@ -516,14 +632,16 @@ def check_motion(place, browser):
     before = browser.run(degrees)
     browser.run(button + ".click()")
     browser.wait(f"{degrees} !== {before}", 20)
-    browser.run("Object.defineProperty(document, 'hidden', {value: true}); document.dispatchEvent(new Event('visibilitychange'))")
+    browser.run("Object.defineProperty(document, 'hidden', {value: true}); "
+                "document.dispatchEvent(new Event('visibilitychange'))")
     settle(browser)
     if browser.run(button + ".textContent") != "Turn":
         yield "the globe turns where nobody sees it"
 
 
 def check_narrow(place, browser):
-    """At 360 pixels nothing sticks out or is cut, whatever is open, all has a name, and once a finger has opened the loupe it moves no control."""
+    """At 360 pixels nothing sticks out or is cut, whatever is open, all has a name, and once a
+    finger has opened the loupe it moves no control."""
     controls = "document.querySelector('.live form').getBoundingClientRect().top + scrollY"
     browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
     browser.size(360, 900)
@@ -535,31 +653,40 @@ def check_narrow(place, browser):
         left, top, width, height = browser.run(BOX)
         heights = []
         for across, down in ((0.1, 0.9), (0.5, 0.5), (0.1, 0.1), (0.1, 0.9)):
-            browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": left + across * width, "y": top + down * height}])
+            browser.call("Input.dispatchTouchEvent", type="touchStart",
+                         touchPoints=[{"x": left + across * width, "y": top + down * height}])
             browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-            browser.wait(f"[-2, -1, 0, 1, 2].some((n) => {LOUPE}.textContent.includes(`row ${{Math.floor({down} * {CANVAS}.height) + n}}:`))", 20)
+            browser.wait(f"[-2, -1, 0, 1, 2].some((n) => {LOUPE}.textContent.includes(`row "
+                         f"${{Math.floor({down} * {CANVAS}.height) + n}}:`))", 20)
             heights.append(browser.run(controls))
         browser.key("Escape")
         browser.wait(f"{LOUPE}.hidden", 20)
-        if max(abs(one - heights[1]) for one in [*heights[2:], browser.run(controls)]) > 1:  # by now the tallest was there
+        # by now the tallest was there
+        if max(abs(one - heights[1]) for one in [*heights[2:], browser.run(controls)]) > 1:
             yield f"{chapter}: the controls move: {heights}"
-        out = browser.run("""[...document.querySelectorAll(".live *")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
+        out = browser.run(
+            """[...document.querySelectorAll(".live *")]
+          .filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
           .map((one) => one.outerHTML.slice(0, 80))""")
         if out or browser.run("document.documentElement.scrollWidth") > 360:
             yield f"{chapter}: too wide: {out[:2]}"
-        unnamed = browser.run("""[...document.querySelectorAll(".live input, .live select, .live button")]
-          .filter((one) => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map((one) => one.outerHTML.slice(0, 80))""")
+        unnamed = browser.run(
+            """[...document.querySelectorAll(".live input, .live select, .live button")]
+          .filter((one) => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map(
+            (one) => one.outerHTML.slice(0, 80))""")
         if unnamed:
             yield f"{chapter}: no name: {unnamed}"
         small = browser.run("""[...document.querySelectorAll(".live-rows input")].filter((one) => {
             if (one.type === "number") one.value = 10000000;
-            return one.type === "range" ? one.offsetHeight < 32 : one.scrollWidth > one.clientWidth; }).map((one) => one.ariaLabel || one.id)""")
+            return one.type === "range" ? one.offsetHeight < 32 : one.scrollWidth > one.clientWidth;
+              }).map((one) => one.ariaLabel || one.id)""")
         if small:
             yield f"{chapter}: a slider of less than 32 px, or a number that is cut: {small}"
 
 
 def check_playground(place, browser):
-    """playground.html is one file of less than 900 KB; each of its chapters draws, keeps its own options and opens a file."""
+    """playground.html is one file of less than 900 KB; each of its chapters draws, keeps its own
+    options and opens a file."""
     page = place.folder / "playground.html"
     if page.stat().st_size >= 900000:
         yield f"playground.html has {page.stat().st_size} bytes"
@@ -598,7 +725,8 @@ def main(words):
         raise SystemExit(__doc__.strip())
     root, programs, made = (Path(word).resolve() for word in words[:3])
     if not installed() or not (made / "playground.html").exists():
-        print("skipped: no browser (chromium or google-chrome) is installed, or ./course playground has made nothing")
+        print("skipped: no browser (chromium or google-chrome) is installed, or ./course "
+              "playground has made nothing")
         return 77
     place = Place(root, programs, made)
     failed = run_checks([CHECKS[name] for name in words[3:] or CHECKS], place)

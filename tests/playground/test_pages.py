@@ -15,15 +15,18 @@ from browser import installed, run_checks  # noqa: E402
 
 SECTION = "document.querySelector('.budget')"
 CARD = "document.querySelector('.budget-card')"
-# The bounds of the chapter's polynomials in texels of 2048 by 1024, and for what the language leaves open one pixel of its picture.
+# The bounds of the chapter's polynomials in texels of 2048 by 1024, and for what the language
+# leaves open one pixel of its picture.
 MOST = {"degree 5": 0.2, "degree 9": 0.0051, "degree 17": 0.0003}
 
 
 def check_13(place, browser):
     """The figures are the program's, the page keeps to the slider, and it measures shaders."""
     program = place.programs / place.program("13")
-    subprocess.run([program, "--rounds", "1", "--seconds", "1", "--quiet", "--out", place.folder / "13.png"], check=True)
-    native = [row for row in json.loads((place.folder / "13.json").read_text())["places"] if row["filter"] == "nearest"]
+    subprocess.run([program, "--rounds", "1", "--seconds", "1", "--quiet", "--out",
+                    place.folder / "13.png"], check=True)
+    native = [row for row in json.loads((place.folder / "13.json").read_text())["places"]
+              if row["filter"] == "nearest"]
     place.open(browser, "13.html")
     browser.wait(f"{SECTION}?.dataset.state === 'done' && {CARD}.childElementCount > 0", 110)
     ways = browser.run(f"{SECTION}.ways")
@@ -31,9 +34,11 @@ def check_13(place, browser):
         yield f"{len(ways)} ways"
     for way in ways:
         degree = 0 if way["kernel"] == "reference" else int(way["kernel"].split()[1])
-        row = next(one for one in native if (one["number"], one["degree"]) == (way["number"], degree))
+        row = next(one for one in native
+                   if (one["number"], one["degree"]) == (way["number"], degree))
         for key, other in (("bound", "texels_bound"), ("worst", "worst_texels")):
-            if abs(way[key] - row[other]) > 1e-3 * row[other]:  # the judges have 64 and 113 binary digits
+            # the judges have 64 and 113 binary digits
+            if abs(way[key] - row[other]) > 1e-3 * row[other]:
                 yield f"{way['number']} {degree}: {key} {way[key]}, the program's {row[other]}"
         for key in ("changed", "may_change", "levels"):
             if way[key] != row[key]:
@@ -41,17 +46,22 @@ def check_13(place, browser):
     if browser.run(f"{SECTION}.dataset.way === undefined || !{SECTION}.querySelector('svg')"):
         yield "it chooses nothing by itself"
     for power in (-10.5, -6, -2, -0.5):
-        browser.run(f"""(async () => {{ const slider = document.querySelector("#budget"); slider.value = {power};
+        browser.run(
+            f"""(async () => {{ const slider = document.querySelector("#budget");
+          slider.value = {power};
           delete {SECTION}.dataset.way; slider.dispatchEvent(new Event("input")); }})()""")
         browser.wait(f"{SECTION}.dataset.way !== undefined", 20)
         way = ways[int(browser.run(f"{SECTION}.dataset.way"))]
         if way["bound"] > 10 ** power * 1.0001:
             yield f"for {power} it takes {way['kernel']}, which may be {way['bound']} off"
     browser.run(f"{CARD}.querySelector('button').click()")
-    browser.wait(f"{CARD}.dataset.state === 'done' || /refused|no graphics/.test({CARD}.textContent)", 60)
-    rows = browser.run(f"[...{CARD}.querySelectorAll('tr')].slice(1).map((row) => [...row.cells].map((cell) => cell.textContent))")
+    browser.wait(f"{CARD}.dataset.state === 'done' || /refused|no "
+                 f"graphics/.test({CARD}.textContent)", 60)
+    rows = browser.run(f"[...{CARD}.querySelectorAll('tr')].slice(1).map((row) => "
+                       "[...row.cells].map((cell) => cell.textContent))")
     if len(rows) != 6:
-        yield f"{len(rows)} formulas of the graphics processor: {browser.run(CARD + '.textContent')[-300:]}"
+        yield (f"{len(rows)} formulas of the graphics processor: "
+               f"{browser.run(CARD + '.textContent')[-300:]}")
     for name, worst, *_ in rows:
         if not 0 < float(worst.replace("−", "-")) <= MOST.get(name, 1):
             yield f"the shader by {name} is {worst} texels off"
@@ -63,31 +73,37 @@ def check_13(place, browser):
 def check_14(place, browser):
     """The pictures are the program's; published formulas break where the course's hold."""
     def turn(field, value, event):
-        browser.run(f"""(() => {{ const field = document.querySelector("{field}"); field.value = {value};
+        browser.run(
+            f"""(() => {{ const field = document.querySelector("{field}"); field.value = {value};
           {SECTION}.dataset.state = ""; field.dispatchEvent(new Event("{event}")); }})()""")
         browser.wait(f"{SECTION}.dataset.state === 'done'", 60)
 
     browser.size(1280, 800)
     place.open(browser, "14.html")
     browser.wait(f"{SECTION}?.dataset.state === 'done'", 60)
-    names = browser.run("[...document.querySelectorAll('#exhibit option')].map((one) => one.textContent.split(':')[0])")
+    names = browser.run("[...document.querySelectorAll('#exhibit option')].map((one) => "
+                        "one.textContent.split(':')[0])")
     for i, name in enumerate(names):
         turn("#exhibit", i, "change")
         unlike = int(browser.run(f"{SECTION}.dataset.published"))
         if unlike < 1000:
             yield f"{name}: the published formula holds, {unlike} pixels are wrong"
         for side, formulas in enumerate(("published", "robust")):
-            # The program's needle has another picture on it, and the published pole is the C library's acos.
+            # The program's needle has another picture on it, and the published pole is the C
+            # library's acos.
             if name == "needle" or (name, formulas) == ("pole", "published"):
                 continue
             drawn = pixels(browser, f"{SECTION}.querySelectorAll('canvas')[{side}]")
-            yield from place.unlike(drawn, ["./course", "run", "14", "--exhibit", name, "--formulas", formulas, "--number", "float"], 320, 240)
-        least, most = browser.run("['min', 'max'].map((end) => Number(document.querySelector('#extreme')[end]))")
+            yield from place.unlike(drawn, ["./course", "run", "14", "--exhibit", name,
+                                            "--formulas", formulas, "--number", "float"], 320, 240)
+        least, most = browser.run("['min', 'max'].map((end) => "
+                                  "Number(document.querySelector('#extreme')[end]))")
         for k in range(5):
             turn("#extreme", least + (most - least) * k / 4, "input")
             unlike = int(browser.run(f"{SECTION}.dataset.course"))
             if unlike > 100:
-                yield f"{name} at {k}/4 of the slider: {unlike} pixels of the course's float are wrong"
+                yield (f"{name} at {k}/4 of the slider: {unlike} pixels of the course's float "
+                       "are wrong")
     browser.size(360, 780)
     if browser.run("document.documentElement.scrollWidth") > 360:
         yield "too wide for 360 pixels"
@@ -96,11 +112,14 @@ def check_14(place, browser):
 def main(words):
     root, programs, made = (Path(word).resolve() for word in words)
     if not installed() or not (made / "module_13.js").exists():
-        print("skipped: no browser (chromium or google-chrome) is installed, or ./course playground has made nothing")
+        print("skipped: no browser (chromium or google-chrome) is installed, or ./course "
+              "playground has made nothing")
         return 77
     place = Place(root, programs, made)
     for chapter in ("13", "14"):
-        place.write(chapter, f"""<script src="live/page_{chapter}.js" defer></script><main><h1>{chapter}</h1><p><img src="data:," alt=""></p></main>""")
+        place.write(chapter,
+                    f"""<script src="live/page_{chapter}.js" defer></script>
+<main><h1>{chapter}</h1><p><img src="data:," alt=""></p></main>""")
     failed = run_checks((check_13, check_14), place, flags=["--enable-unsafe-swiftshader"])
     shutil.rmtree(place.folder)
     return 1 if failed else 0

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""A student's copy of the course: some chapters, without solutions, answers and what only instructors and engineers need.
+"""A student's copy of the course: some chapters, without solutions, answers and what only
+instructors and engineers need.
 
-usage: ./course export --chapters 00-06 FOLDER     --chapters: 02, 00-06 or 01-04,08; FOLDER is made, or is empty
+usage: ./course export --chapters 00-06 FOLDER
+--chapters: 02, 00-06 or 01-04,08; FOLDER is made, or is empty
 
-KEPT decides: the last pattern that fits a path counts, and a folder NN_name or a file NN_... of a chapter that is not exported never fits.
-Pages lose their answers, the rows of chapters that are not there, and links that would lead nowhere: these become text.
-"""
+KEPT decides: the last pattern that fits a path counts, and a folder NN_name or a file NN_... of a
+chapter that is not exported never fits. Pages lose their answers, the rows of chapters that are not
+there, and links that would lead nowhere: these become text."""
 import argparse
 import fnmatch
 import os
@@ -15,17 +17,23 @@ import subprocess
 import sys
 
 KEPT = """
-    course CMakeLists.txt CMakePresets.json README.md LICENSE vcpkg.json .clang-format .gitattributes .gitignore
+    course CMakeLists.txt CMakePresets.json README.md LICENSE vcpkg.json
+    .clang-format .gitattributes .gitignore
     chapters/* common/* docs/*.md docs/live/* assets/*
     tests/CMakeLists.txt tests/doctest_main.cpp tests/support/* tests/closure/*
-    tests/number/test_number.cpp tests/math/* tests/sampling/* tests/scene/* tests/texture/* tests/published/*
-    tests/chapters/*_[0-9][0-9]* tests/golden/programs.sh tests/golden/*.png tests/exercises/[0-9][0-9]_[0-9].hpp tests/extremes/digits.hpp tests/packs/wide.sh
-    !docs/teaching.md !docs/grading.md !docs/pictures/* !assets/*pp !assets/CMakeLists.txt !assets/sources/* !assets/*sum* !assets/sky.sha256
-    !common/tools/diagrams/* !common/tools/draw_mistakes/* !common/tools/export/* !common/tools/grade/* !common/tools/pages/*
+    tests/number/test_number.cpp tests/math/* tests/sampling/* tests/scene/* tests/texture/*
+    tests/published/*
+    tests/chapters/*_[0-9][0-9]* tests/golden/programs.sh tests/golden/*.png
+    tests/exercises/[0-9][0-9]_[0-9].hpp tests/extremes/digits.hpp tests/packs/wide.sh
+    !docs/teaching.md !docs/grading.md !docs/pictures/* !assets/*pp !assets/CMakeLists.txt
+    !assets/sources/* !assets/*sum* !assets/sky.sha256
+    !common/tools/diagrams/* !common/tools/draw_mistakes/* !common/tools/export/*
+    !common/tools/grade/* !common/tools/pages/*
     !common/tools/playground/* common/tools/playground/live.js common/tools/playground/live.css
 """.split()
 PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
-OF_CHAPTER = re.compile(r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter|thumb)_(\d\d)\.')
+OF_CHAPTER = re.compile(
+    r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter|thumb)_(\d\d)\.')
 LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
 
 
@@ -43,13 +51,15 @@ def chosen_of(words, there):
         chosen |= {f'{n:02}' for n in range(int(ends[1]), int(ends[2] or ends[1]) + 1)}
     missing = sorted(chosen - set(there))
     if missing or not chosen:
-        raise Wrong(f"there is no chapter {missing[0] if missing else words}; ./course list shows them")
+        raise Wrong(
+            f"there is no chapter {missing[0] if missing else words}; ./course list shows them")
     return sorted(chosen)
 
 
 def files_in(root):
     for parent, folders, names in os.walk(root):
-        folders[:] = [name for name in folders if name not in ('.git', '.ci', '.github', 'build', 'out', '__pycache__')]
+        folders[:] = [name for name in folders
+                      if name not in ('.git', '.ci', '.github', 'build', 'out', '__pycache__')]
         yield from (os.path.relpath(os.path.join(parent, name), root) for name in names)
 
 
@@ -100,37 +110,46 @@ def without_solution(text):
 
 def export(root, folder, chosen):
     kept = {path for path in files_in(root) if is_kept(path, chosen)}
-    pages = {path: (root / path).read_text(encoding='utf-8') for path in sorted(kept) if path.endswith('.md')}
+    pages = {path: (root / path).read_text(encoding='utf-8') for path in sorted(kept)
+             if path.endswith('.md')}
     for path, text in pages.items():
         pages[path] = text = without_answers(text)
-        for url in [link[3] for link in LINK.finditer(text)] + re.findall(r'<img src="([^"]*)"', text):
+        for url in [link[3]
+                    for link in LINK.finditer(text)] + re.findall(r'<img src="([^"]*)"', text):
             target = target_of(path, url)
-            if url.endswith(PICTURES) and (root / target).is_file() and not (target.startswith(('tests/golden/', 'docs/pictures/thumb_')) and is_left_out(target, chosen)):
+            if url.endswith(PICTURES) and (root / target).is_file() and not (target.startswith(
+                ('tests/golden/', 'docs/pictures/thumb_')) and is_left_out(target, chosen)):
                 kept.add(target)
     folders = {str(parent) for path in kept for parent in pathlib.PurePath(path).parents}
     for path in sorted(kept):
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         data = (root / path).read_bytes()
         if path in pages:
-            data = without_dead_links(pages[path], path, lambda target: target in kept or target in folders).encode()
+            data = without_dead_links(pages[path], path,
+                                      lambda target: target in kept or target in folders).encode()
         elif path.startswith('tests/exercises/'):
             data = without_solution(data.decode()).encode()
         (folder / path).write_bytes(data)
         (folder / path).chmod((root / path).stat().st_mode & 0o777)
-    exercises = sorted(path[16:20].replace('_', '.') for path in kept if path.startswith('tests/exercises/'))
+    exercises = sorted(path[16:20].replace('_', '.') for path in kept
+                       if path.startswith('tests/exercises/'))
     for exercise in exercises:  # in this tree somebody may have written an answer
         file = next(folder.glob(f'chapters/{exercise[:2]}_*/exercises/{exercise[3]}_*.hpp'))
-        subprocess.run(['sh', 'common/tools/check/check.sh', 'start', exercise, file], cwd=root, check=True)
+        subprocess.run(['sh', 'common/tools/check/check.sh', 'start', exercise, file], cwd=root,
+                       check=True)
     write_workflow(folder, chosen, exercises)
     return exercises
 
 
 def write_workflow(folder, chosen, exercises):
     """Writes classroom.yml with a step for each exercise and for the tests of each chapter."""
-    steps = {f'e{exercise.replace(".", "_")}': f'./course check {exercise}' for exercise in exercises}
+    steps = {f'e{exercise.replace(".", "_")}': f'./course check {exercise}'
+             for exercise in exercises}
     steps |= {f't{number}': f'./course test {number}' for number in chosen}
-    results = '\n'.join(f'          {name.upper()}_RESULTS: ${{{{ steps.{name}.outputs.result }}}}' for name in steps)
-    head, step, report = re.split('@EACH@\n|@END@\n', pathlib.Path(__file__).with_name('classroom.yml').read_text())
+    results = '\n'.join(f'          {name.upper()}_RESULTS: ${{{{ steps.{name}.outputs.result }}}}'
+                        for name in steps)
+    head, step, report = re.split('@EACH@\n|@END@\n',
+                                  pathlib.Path(__file__).with_name('classroom.yml').read_text())
     place = folder / '.github/workflows'
     place.mkdir(parents=True)
     (place / 'classroom.yml').write_text(head.replace('@FIRST@', chosen[0]) + ''.join(
@@ -139,23 +158,27 @@ def write_workflow(folder, chosen, exercises):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog='./course export', usage='%(prog)s --chapters 00-06 FOLDER', allow_abbrev=False)
+    parser = argparse.ArgumentParser(prog='./course export',
+                                     usage='%(prog)s --chapters 00-06 FOLDER', allow_abbrev=False)
     parser.add_argument('--chapters', required=True)
     parser.add_argument('folder', type=pathlib.Path)
     words = parser.parse_args()
     root = pathlib.Path(__file__).resolve().parents[3]
     folder = words.folder.resolve()
     try:
-        chosen = chosen_of(words.chapters, [path.name[:2] for path in root.glob('chapters/[0-9][0-9]_*')])
+        chosen = chosen_of(words.chapters,
+                           [path.name[:2] for path in root.glob('chapters/[0-9][0-9]_*')])
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise Wrong(f'{words.folder} is there and not empty')
-        if folder.is_relative_to(root) and folder.relative_to(root).parts[:1] not in (('build',), ('out',)):
+        if folder.is_relative_to(root) and folder.relative_to(root).parts[:1] not in (
+            ('build',), ('out',)):
             raise Wrong('the folder must be outside of the course')
         exercises = export(root, folder, chosen)
     except (Wrong, OSError) as error:
         print(f'error: {error}', file=sys.stderr)
         return 2
-    print(f'{words.folder}: chapters {", ".join(chosen)} with {len(exercises)} exercises. Try it there: ./course check')
+    print(f'{words.folder}: chapters {", ".join(chosen)} with {len(exercises)} exercises. Try it '
+          'there: ./course check')
     return 0
 
 

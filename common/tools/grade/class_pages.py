@@ -1,4 +1,5 @@
-"""The pages of a class: the table of all students, and a page for a student where there is more to see than the table shows."""
+"""The pages of a class: the table of all students, and a page for a student where there is more to
+see than the table shows."""
 import collections
 import re
 
@@ -62,12 +63,14 @@ def warning_of(contained):
 def sum_of(rows):
     """Such as "149 right", and below it the words that most students share: "37 mirrored"."""
     def shared(word):  # shares of pixels and numbers of tests differ from student to student
-        return 'differ' if word.startswith('differs') else 'fail tests' if word.startswith('tests ') else word
+        return 'differ' if word.startswith('differs') else 'fail tests' if word.startswith(
+            'tests ') else word
     count = collections.Counter(sorted(shared(row.word) for row in rows if not row.right))
     if not count:
         return 'all right'
     most = count.most_common(3)
-    lines = [f'{sum(row.right for row in rows)} right', *(f'{students} {escaped(word)}' for word, students in most)]
+    lines = [f'{sum(row.right for row in rows)} right',
+             *(f'{students} {escaped(word)}' for word, students in most)]
     others = sum(count.values()) - sum(students for _, students in most)
     return '<br>'.join(lines + ([f'{others} other'] if others else []))
 
@@ -75,13 +78,15 @@ def sum_of(rows):
 def head_of_table(items, students, with_tests):
     def column(name, attributes):
         return f'<th scope="col"{attributes}><button type="button">{escaped(name)}</button></th>'
-    html = '<thead><tr>' + column('Points', ' aria-sort="ascending"') + column('Student', ' class="name"')
+    html = '<thead><tr>' + column('Points',
+                                  ' aria-sort="ascending"') + column('Student', ' class="name"')
     html += ''.join(column(item.number, f' title="{escaped(item.name)}"') for item in items)
     html += (column('Tests', '') if with_tests else '') + '</tr>\n<tr><td>'
     points, of = (sum(getattr(student, what) for student in students) for what in ('points', 'of'))
     html += (f'mean {100 * points / of:.0f} %' if of else '') + f'</td><td>all {len(students)}</td>'
     for place in range(len(items)):
-        html += f'<td>{sum_of([student.all_rows[place] for student in students if student.all_rows[place]])}</td>'
+        rows = [student.all_rows[place] for student in students if student.all_rows[place]]
+        html += f'<td>{sum_of(rows)}</td>'
     return html + ('<td></td>' if with_tests else '') + '</tr></thead>\n'
 
 
@@ -91,11 +96,13 @@ def table_row(student, with_tests):
     name = escaped(student.name)
     if student.has_page:
         name = f'<a href="{student.page}.html">{name}</a>'
-    html = (f'<tr><td class="points" data-key="{key:.0f}">{student.points} of {student.of}{unfinished}</td>'
+    html = (f'<tr><td class="points" data-key="{key:.0f}">{student.points} of '
+            f'{student.of}{unfinished}</td>'
             f'<th scope="row" class="name"><bdi>{name}</bdi></th>')
     for row in student.all_rows:
         html += colored('td', row.right, '✓' if row.right else row.word) if row else '<td></td>'
-    chapters = [row for row in student.rows if not row.item.exercise]  # an exercise's word says it all
+    # an exercise's word says it all
+    chapters = [row for row in student.rows if not row.item.exercise]
     passed, run = sum(row.tests_passed for row in chapters), sum(row.tests_run for row in chapters)
     if with_tests:
         html += f'<td data-key="{passed}">{passed} of {run}</td>' if run else '<td></td>'
@@ -104,7 +111,8 @@ def table_row(student, with_tests):
 
 def section(row):
     name = escaped(row.item.name)
-    html = f'<h2 id="{name}">{name}: {colored("span", row.right, "right" if row.right else row.word)}</h2>\n'
+    html = (f'<h2 id="{name}">{name}: '
+            f'{colored("span", row.right, "right" if row.right else row.word)}</h2>\n')
     if row.note:
         html += f'<pre>{escaped(clean_lines(row.note))}</pre>\n'
     html += row.shown
@@ -114,19 +122,26 @@ def section(row):
     if not row.item.exercise:
         entries['tests passed'] = row.tests
     if row.figures and not row.picture_ok:
-        entries |= {'pixels off by more than one level': str(row.figures['pixels_off']), 'RMSE': '%.3g levels' % row.figures['rmse'],
+        entries |= {'pixels off by more than one level': str(row.figures['pixels_off']),
+                    'RMSE': '%.3g levels' % row.figures['rmse'],
                     'SSIM': '%.4f' % row.figures['ssim']}
-    lines = [f'<tr><th scope="row">{name}</th><td>{escaped(value)}</td></tr>\n' for name, value in entries.items() if value]
-    return html + ('<div class="scroll"><table>\n<tbody>\n' + ''.join(lines) + '</tbody>\n</table></div>\n' if lines else '')
+    lines = [f'<tr><th scope="row">{name}</th><td>{escaped(value)}</td></tr>\n'
+             for name, value in entries.items() if value]
+    return html + ('<div class="scroll"><table>\n<tbody>\n' + ''.join(lines)
+                   + '</tbody>\n</table></div>\n' if lines else '')
 
 
 def class_page(page, items, students, asked):
     """The worst first, sortable, with a row of sums such as "37 mirrored"."""
     ended = f' of {asked}: the run was ended before the others' if len(students) < asked else ''
-    with_tests = any(not row.item.exercise and row.tests_run for student in students for row in student.rows)
-    html = (f'{warning_of(all(student.contained for student in students))}<p>{counted(len(students), "student")} graded{ended}. '
-            'All figures: <a href="grades.csv">grades.csv</a>, <a href="points.csv">points.csv</a>. A name with a link has a page.</p>\n'
-            f'<table class="grades">\n{head_of_table(items, students, with_tests)}<tbody>\n')
+    with_tests = any(not row.item.exercise and row.tests_run for student in students
+                     for row in student.rows)
+    html = (
+        f'{warning_of(all(student.contained for student in students))}'
+        f'<p>{counted(len(students), "student")} graded{ended}. '
+        'All figures: <a href="grades.csv">grades.csv</a>, <a '
+        'href="points.csv">points.csv</a>. A name with a link has a page.</p>\n'
+        f'<table class="grades">\n{head_of_table(items, students, with_tests)}<tbody>\n')
     for student in sorted(students, key=lambda student: student.points / max(1, student.of)):
         html += table_row(student, with_tests)
     return framed(page, 'Grades', TABLE_STYLE, html + '</tbody>\n</table>\n', SORT_SCRIPT)
@@ -134,10 +149,13 @@ def class_page(page, items, students, asked):
 
 def student_page(page, student):
     """Complete in itself: what is not right, with small pictures."""
-    html = (f'{warning_of(student.contained)}<p class="verdict {"good" if student.points == student.of else "bad"}">'
-            f'{student.points} of {student.of} points</p>\n<p><a href="index.html">All students</a></p>\n')
+    html = (f'{warning_of(student.contained)}<p class="verdict '
+            f'{"good" if student.points == student.of else "bad"}">'
+            f'{student.points} of {student.of} points</p>\n<p><a href="index.html">All '
+            'students</a></p>\n')
     if student.notes:
         html += f'<p>{escaped(clean(student.notes))}</p>\n'
     html += ''.join(section(row) for row in student.rows if not row.right or row.note)
     right = ', '.join(row.item.name for row in student.rows if row.right and not row.note)
-    return framed(page, f'Grades of {student.name}', NOTES_STYLE, html + (f'<h2>Right</h2>\n<p>{escaped(right)}</p>\n' if right else ''))
+    return framed(page, f'Grades of {student.name}', NOTES_STYLE,
+                  html + (f'<h2>Right</h2>\n<p>{escaped(right)}</p>\n' if right else ''))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Students' pictures and checkouts become tables and pages: ./course grade. docs/grading.md says what an instructor sees of it."""
+"""Students' pictures and checkouts become tables and pages: ./course grade. docs/grading.md says
+what an instructor sees of it."""
 import argparse
 import dataclasses
 import os
@@ -18,7 +19,9 @@ from results import GradeError, Item, Row, Student, clean, padded  # noqa: E402
 from submissions import find_submissions, tell_apart, what_was_read  # noqa: E402
 
 TREE = Path(__file__).resolve().parents[3]
-TOGETHER = 16  # students with pictures of whom all pictures of a chapter are compared in a row: known mistakes take a while to load
+# students with pictures of whom all pictures of a chapter are compared in a row: known mistakes
+# take a while to load
+TOGETHER = 16
 
 
 def say(text):
@@ -28,13 +31,15 @@ def say(text):
 class Parser(argparse.ArgumentParser):
     def error(self, message):
         message = re.sub(r'^argument (\S+): ', r'\1 ', message)
-        self.exit(2, f'error: {clean(message)}\nusage: grade DIR... [options]     (grade --help lists them)\n')
+        self.exit(2, f'error: {clean(message)}\nusage: grade DIR... [options]     (grade --help '
+                     'lists them)\n')
 
 
 def whole(low, high):
     def read(text):
         if not re.fullmatch('-?[0-9]{1,9}', text) or not low <= int(text) <= high:
-            raise argparse.ArgumentTypeError(f'takes a whole number from {low} to {high}, not \'{text}\'')
+            raise argparse.ArgumentTypeError(f'takes a whole number from {low} to {high}, not '
+                                             f'\'{text}\'')
         return int(text)
     return read
 
@@ -46,36 +51,52 @@ def place(text):
 
 
 def command_line():
-    parser = Parser(prog='grade', description="students' chapters against the golden pictures", usage='grade DIR... [options]',
-                    allow_abbrev=False,
-                    epilog='exit status: 0 all were graded, whatever the grades; 2 wrong command line, or nothing could be graded; '
+    parser = Parser(prog='grade', description="students' chapters against the golden pictures",
+                    usage='grade DIR... [options]', allow_abbrev=False,
+                    epilog='exit status: 0 all were graded, whatever the grades; 2 wrong command '
+                           'line, or nothing could be graded; '
                            '130 ended by Ctrl-C, with what was done until then')
     add = parser.add_argument
-    add('folders', metavar='DIR', nargs='*', help="a student's checkout or pictures, a folder of such folders, what a learning system "
+    add('folders', metavar='DIR', nargs='*',
+        help="a student's checkout or pictures, a folder of such folders, what a learning system "
         'hands out, or a zip of these')
     add('--one', action='store_true', help="each DIR is one student's, whatever is in it")
-    add('--class', action='store_true', dest='each', help="each folder in a DIR is a student's, whatever lies next to it")
-    add('--chapters', metavar='01,02.1', help='grade these chapters and exercises only; exercises: all of them')
-    add('--points', metavar='02=2,02.1=0.5', default='', help='what a chapter or an exercise is worth')
-    add('--class-list', metavar='FILE', help="a CSV with students' names and ids: says who is missing")
-    add('--overrides', metavar='FILE', help='a CSV with points that you gave by hand (default: overrides.csv in the folder of the results)')
-    add('--no-tests', action='store_true', help="compare the pictures, do not run the chapters' tests")
-    add('--no-second-picture', action='store_true', help='do not draw each chapter a second time with other settings')
+    add('--class', action='store_true', dest='each',
+        help="each folder in a DIR is a student's, whatever lies next to it")
+    add('--chapters', metavar='01,02.1',
+        help='grade these chapters and exercises only; exercises: all of them')
+    add('--points', metavar='02=2,02.1=0.5', default='',
+        help='what a chapter or an exercise is worth')
+    add('--class-list', metavar='FILE',
+        help="a CSV with students' names and ids: says who is missing")
+    add('--overrides', metavar='FILE',
+        help='a CSV with points that you gave by hand (default: overrides.csv in the folder of '
+             'the results)')
+    add('--no-tests', action='store_true',
+        help="compare the pictures, do not run the chapters' tests")
+    add('--no-second-picture', action='store_true',
+        help='do not draw each chapter a second time with other settings')
     add('--seconds', metavar='N', type=whole(0, 86400), default=0,
         help="processor time for a program; 0, the default: ten times what the instructor's takes")
-    add('--megabytes', metavar='N', type=whole(64, 1048576), default=2048, help='memory for a program (default: %(default)s)')
-    add('--jobs', metavar='N', type=whole(0, 1024), default=0, help='programs at the same time; 0, the default: one for each processor')
-    add('--trust-students', action='store_true', help='run checkouts even where nothing can contain them')
-    add('--format', choices=['none', *results.FORMATS], default='none', help="write each student's grades for a learning system, too")
+    add('--megabytes', metavar='N', type=whole(64, 1048576), default=2048,
+        help='memory for a program (default: %(default)s)')
+    add('--jobs', metavar='N', type=whole(0, 1024), default=0,
+        help='programs at the same time; 0, the default: one for each processor')
+    add('--trust-students', action='store_true',
+        help='run checkouts even where nothing can contain them')
+    add('--format', choices=['none', *results.FORMATS], default='none',
+        help="write each student's grades for a learning system, too")
     add('--out', metavar='FOLDER', type=place, default=TREE / 'out/grades',
         help='where grades.csv, points.csv and index.html go (default: %(default)s)')
     add('--work', metavar='FOLDER', type=place, default=TREE / 'build/grade',
         help='where checkouts are built; kept for the next time (default: %(default)s)')
     add('--programs', metavar='FOLDER', type=place, default=TREE / 'build/learn/bin',
         help='where judge_pictures and draw_mistakes are (default: %(default)s)')
-    version = re.search(r'project\(\S+ VERSION (\S+)', (TREE / 'CMakeLists.txt').read_text(encoding='utf-8'))[1]
+    version = re.search(r'project\(\S+ VERSION (\S+)',
+                        (TREE / 'CMakeLists.txt').read_text(encoding='utf-8'))[1]
     add('--version', action='version', version=f'grade {version} (Texture Mapping, Step by Step)')
-    add('--tree', type=place, default=TREE, help=argparse.SUPPRESS)  # tests name another course and other boxes
+    # tests name another course and other boxes
+    add('--tree', type=place, default=TREE, help=argparse.SUPPRESS)
     add('--containment', default='bwrap', help=argparse.SUPPRESS)
     options = parser.parse_intermixed_args()
     options.tree = options.tree.resolve()
@@ -87,7 +108,8 @@ def command_line():
         if not os.path.exists(folder):
             parser.error(f"there is no folder '{folder}'")
     try:
-        return options, with_points(chosen_items(options), options.points, list(all_items(options.tree)))
+        return options, with_points(chosen_items(options), options.points,
+                                    list(all_items(options.tree)))
     except ValueError as error:
         parser.error(str(error))
 
@@ -99,9 +121,11 @@ def all_items(tree):
         golden = tree / 'tests/golden' / f'{name}.png'
         if golden.exists():
             # The suite of 13 measures times, and none of that counts.
-            has_tests = not name.startswith('13') and (tree / 'tests/chapters' / f'test_{name}.cpp').exists()
+            has_tests = not name.startswith('13') and (tree / 'tests/chapters'
+                                                       / f'test_{name}.cpp').exists()
             yield Item(name, name[:2], str(golden), has_tests)
-        exercises = {f'{name[:2]}.{file.name[0]}': file for file in lesson.parent.glob('exercises/?_*.hpp')}
+        exercises = {f'{name[:2]}.{file.name[0]}': file
+                     for file in lesson.parent.glob('exercises/?_*.hpp')}
         for number, file in sorted(exercises.items()):
             yield Item(number, number, exercise=file.relative_to(tree).as_posix())
 
@@ -114,7 +138,8 @@ def chosen_items(options):
     chosen = set()
     for word in map(str.strip, options.chapters.split(',')):
         if not word:
-            raise ValueError(f"--chapters '{options.chapters}' has a comma with nothing before or after it; such as 02,04 is right")
+            raise ValueError(f"--chapters '{options.chapters}' has a comma with nothing before or "
+                             "after it; such as 02,04 is right")
         chosen |= named_items(word, items)
     return [item for item in items if item in chosen]
 
@@ -138,7 +163,8 @@ def with_points(items, typed, known):
 
 
 def lock(folder, other):
-    """Keeps a folder for this program until it ends: the open file. Elsewhere than on POSIX it does nothing."""
+    """Keeps a folder for this program until it ends: the open file. Elsewhere than on POSIX it does
+    nothing."""
     folder.mkdir(parents=True, exist_ok=True)
     try:
         import fcntl
@@ -148,7 +174,8 @@ def lock(folder, other):
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        raise GradeError(f"another ./course grade is using the folder '{folder}'; wait for it, or name another folder with "
+        raise GradeError(f"another ./course grade is using the folder '{folder}'; wait for it, or "
+                         "name another folder with "
                          f'{other}') from None
     except OSError:
         pass  # some network file systems have no locks
@@ -176,12 +203,14 @@ class Grading:
         self.pictures = Pictures(self.options.programs.resolve(), self.stopping)
         for item in self.items:
             if item.golden:
-                self.pictures.ask(item.golden, item.golden)  # what a student's program makes of it later does not count
+                # what a student's program makes of it later does not count
+                self.pictures.ask(item.golden, item.golden)
         with open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='') as self.table:
             self.table.write(results.table([], results.COLUMNS, []))
             try:
                 for begin in range(0, len(self.students), TOGETHER):
-                    self.compare_pictures_of(range(begin, min(begin + TOGETHER, len(self.students))))
+                    self.compare_pictures_of(range(begin,
+                                                   min(begin + TOGETHER, len(self.students))))
                 self.run_checkouts()
             except KeyboardInterrupt:
                 pass
@@ -192,7 +221,8 @@ class Grading:
         self.write_class()
 
     def find_students(self):
-        self.submissions, remarks = find_submissions(self.options.folders, self.items, self.options.one, self.options.each)
+        self.submissions, remarks = find_submissions(self.options.folders, self.items,
+                                                     self.options.one, self.options.each)
         if self.submissions:
             print(what_was_read(self.submissions), flush=True)
         if self.options.class_list and self.submissions:
@@ -203,7 +233,8 @@ class Grading:
         if not self.submissions:
             raise GradeError('there is nothing to grade: no folder is in there')
         pages = results.page_names([submission.name for submission in self.submissions])
-        self.students = [Student(one.folder, one.name, page, one.note, [None] * len(self.items), one.id, one.person)
+        self.students = [Student(one.folder, one.name, page, one.note, [None] * len(self.items),
+                                 one.id, one.person)
                          for one, page in zip(self.submissions, pages)]
         overrides = Path(self.options.overrides or self.out / 'overrides.csv')
         if self.options.overrides or overrides.exists():
@@ -223,7 +254,8 @@ class Grading:
         row.hidden = 'yes' if second['right'] else 'no'
         if row.picture_ok and not second['right']:
             row.word, row.shown = 'second picture', second['shown']
-            row.add_note('the picture is right, but a second one, drawn with other settings, is not')
+            row.add_note(
+                'the picture is right, but a second one, drawn with other settings, is not')
 
     def compare_pictures_of(self, students):
         """Chapter by chapter."""
@@ -236,7 +268,8 @@ class Grading:
         row = Row(item)
         path, why_not = submission.pictures.get(item.name, ('', ''))
         if not path:
-            row.word, row.note = 'missing', f'there is no {item.exercise or f"picture {item.name}.png"}'
+            row.word, row.note = ('missing',
+                                  f'there is no {item.exercise or f"picture {item.name}.png"}')
         elif why_not:
             row.word, row.note = 'unreadable', why_not
         else:
@@ -244,23 +277,29 @@ class Grading:
         # In a class with checkouts all have the same points to reach.
         row.with_tests = self.has_checkouts and item.has_tests and not self.options.no_tests
         if row.with_tests and not row.word:
-            row.word, row.note = 'no tests', "the picture is right; the tests need the chapter's code"
+            row.word, row.note = ('no tests',
+                                  "the picture is right; the tests need the chapter's code")
         if row.word == 'missing':
             row.add_note(f'found {submission.seen}' if submission.seen else '')
         return row
 
     def row_of_result(self, result, item):
-        row = Row(item, note=result['note'], build=result['build'], run=result.get('run', ''), containment=result['containment'],
+        row = Row(item, note=result['note'], build=result['build'], run=result.get('run', ''),
+                  containment=result['containment'],
                   unchanged=result['build'] == 'unchanged', written=result.get('written', ''),
-                  cpu_seconds=result.get('cpu_seconds', ''), limit_cpu_seconds=result.get('limit_cpu_seconds', ''),
-                  tests_passed=int(result.get('tests_passed', 0)), tests_run=int(result.get('tests_run', 0)))
-        # Where a chapter is missing or does not compile, who builds it may not know about its tests.
+                  cpu_seconds=result.get('cpu_seconds', ''),
+                  limit_cpu_seconds=result.get('limit_cpu_seconds', ''),
+                  tests_passed=int(result.get('tests_passed', 0)),
+                  tests_run=int(result.get('tests_run', 0)))
+        # Where a chapter is missing or does not compile, who builds it may not know about its
+        # tests.
         has_tests = 'tests_run' in result if row.build == 'ok' else item.has_tests
         row.with_tests = has_tests and not self.options.no_tests
         if row.build != 'ok':
             row.word = row.build
         elif item.exercise:
-            # The note begins with the word: "u runs the other way: your map is mirrored; tried: ..."
+            # The note begins with the word: "u runs the other way: your map is mirrored; tried:
+            # ..."
             if not row.tests_ok:
                 row.word = results.first_word(row.note) if row.run == 'ok' else row.run
         else:
@@ -271,18 +310,21 @@ class Grading:
             if row.run != 'ok':
                 row.word, row.picture_ok = row.run, False
             elif result.get('hidden_expected'):
-                self.compare_hidden(row, result.get('hidden_picture', ''), result['hidden_expected'])
+                self.compare_hidden(row, result.get('hidden_picture', ''),
+                                    result['hidden_expected'])
             if not row.word and row.with_tests and not row.tests_ok:
                 row.word = f'tests {row.tests}'
         return row
 
     def run_checkouts(self):
-        tasks = [((i, k), item.name, submission.checkout) for i, submission in enumerate(self.submissions) if submission.checkout
+        tasks = [((i, k), item.name, submission.checkout)
+                 for i, submission in enumerate(self.submissions) if submission.checkout
                  for k, item in enumerate(self.items)]
         if not tasks or self.stopped:
             return
         if not sys.platform.startswith('linux'):
-            raise GradeError('checkouts need Linux. Folders of the pictures that students\' programs drew are graded everywhere')
+            raise GradeError('checkouts need Linux. Folders of the pictures that students\' '
+                             'programs drew are graded everywhere')
         from build_and_run import results_of
         self.work_lock = lock(self.options.work, '--work')
         warned = False
@@ -292,7 +334,8 @@ class Grading:
                 print(results.NOT_CONTAINED, flush=True)
                 warned = True
             self.put(i, k, self.row_of_result(result, self.items[k]))
-            self.progress(f'{ended} of {len(tasks)} done: {clean(self.students[i].name)} {self.items[k].number}')
+            self.progress(f'{ended} of {len(tasks)} done: {clean(self.students[i].name)} '
+                          f'{self.items[k].number}')
 
     def put(self, i, k, row):
         """Keeps a row; with the last one of a student, writes the student's page."""
@@ -309,12 +352,14 @@ class Grading:
             return
         self.finished += 1
         if student.has_page:
-            self.write(f'{student.page}.html', class_pages.student_page(self.pictures.pages['page'], student))
+            self.write(f'{student.page}.html',
+                       class_pages.student_page(self.pictures.pages['page'], student))
         for row in student.rows:  # a class has thousands
             row.shown = ''
         if self.options.format != 'none':
             name, written = results.FORMATS[self.options.format]
-            self.write(name if len(self.students) == 1 else f'{student.page}.{name}', written(student))
+            self.write(name if len(self.students) == 1 else f'{student.page}.{name}',
+                       written(student))
         self.progress('')
         if self.options.format == 'classroom':
             print(results.classroom_notices(student), end='')
@@ -322,8 +367,10 @@ class Grading:
 
     def line_of(self, i):
         student = self.students[i]
-        wrong = self.nothing_of(i) or ', '.join(f'{row.item.number} {clean(row.word)}' for row in student.rows if not row.right)
-        return (padded(f'[{self.finished}/{len(self.students)}]', 10) + padded(f'{student.points} of {student.of}', 10) +
+        wrong = self.nothing_of(i) or ', '.join(f'{row.item.number} {clean(row.word)}'
+                                                for row in student.rows if not row.right)
+        return (padded(f'[{self.finished}/{len(self.students)}]',
+                       10) + padded(f'{student.points} of {student.of}', 10) +
                 padded(clean(student.name), 25) + (wrong or 'all right'))
 
     def nothing_of(self, i):
@@ -335,7 +382,8 @@ class Grading:
             return clean(student.note)
         if submission.checkout:
             return 'nothing of what was asked for is in its chapters'
-        return f'missing; found {submission.seen}' if submission.seen else 'no chapter and no picture found'
+        return (f'missing; found {submission.seen}'
+                if submission.seen else 'no chapter and no picture found')
 
     def write_class(self):
         """The tables and the index of all that is done."""
@@ -345,7 +393,8 @@ class Grading:
         results.say_who_has_the_same(students)
         self.write('grades.csv', results.grades_csv(students))
         self.write('points.csv', results.points_csv(students))
-        self.write('index.html', class_pages.class_page(self.pictures.pages['page_with_script'], self.items, students, len(self.students)))
+        self.write('index.html', class_pages.class_page(self.pictures.pages['page_with_script'],
+                                                        self.items, students, len(self.students)))
         print(f'Look at {clean(str(self.out / "index.html"))}', flush=True)
 
     def write(self, name, text):

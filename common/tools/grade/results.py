@@ -1,4 +1,5 @@
-"""What grading finds out, and how it is written: text made safe, tables, files for learning systems."""
+"""What grading finds out, and how it is written: text made safe, tables, files for learning
+systems."""
 import dataclasses
 import html
 import itertools
@@ -8,36 +9,43 @@ import re
 import unicodedata
 from xml.sax.saxutils import quoteattr
 
+
 class GradeError(Exception):
     """Nothing can be graded, or no more; the text says why, and what helps."""
 
 
-NOT_CONTAINED = "NOT CONTAINED: students' programs ran with your rights and could change any file, this one too."
+NOT_CONTAINED = ("NOT CONTAINED: students' programs ran with your rights and could change any "
+                 "file, this one too.")
 
 
-# --- Text from students ------------------------------------------------------------------------------------------------------------------
+# --- Text from students ---------------------------------------------------------------------------
 
-# Control characters, marks that turn the direction of writing, and what stands for bytes that are no UTF-8.
+# Control characters, marks that turn the direction of writing, and what stands for bytes that are
+# no UTF-8.
 HARMFUL = '\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069'
 BROKEN = re.compile('[\ud800-\udfff]')
-# What a formula begins with, also as the wide and small forms of East Asian writing; blanks may stand before it.
+# What a formula begins with, also as the wide and small forms of East Asian writing; blanks may
+# stand before it.
 FORMULA = re.compile('^([ \u00a0\u2000-\u200d\u2028\u2029\u202f\u205f\u2060\u3000\ufeff"]*)'
                      '(?=[-=+@\u2212\uff1d\uff0b\uff0d\uff20\ufe66\ufe62\ufe63\ufe6b])')
 
 
 def clean(text):
-    """The text on one line, without control characters and without marks that turn the direction of writing."""
+    """The text on one line, without control characters and without marks that turn the direction of
+    writing."""
     return re.sub(f'[{HARMFUL}]', '', re.sub('[\n\t\u2028\u2029]', ' ', BROKEN.sub('\ufffd', text)))
 
 
 def clean_lines(text):
-    """As clean(), but with line ends and at most 4000 characters, as learning systems refuse long texts; these end in "..."."""
+    """As clean(), but with line ends and at most 4000 characters, as learning systems refuse long
+    texts; these end in "..."."""
     cut = text[:4000] + ('...' if len(text) > 4000 else '')
     return re.sub(f'(?!\n)[{HARMFUL}]', '', BROKEN.sub('\ufffd', cut))
 
 
 def shown_name(name):
-    """A file's name to be shown: a byte that is not UTF-8 as its Latin-1 letter, as in archives from older Windows systems, or as \\xNN."""
+    """A file's name to be shown: a byte that is not UTF-8 as its Latin-1 letter, as in archives
+    from older Windows systems, or as \\xNN."""
     def letter(broken):
         byte = ord(broken[0]) & 0xff
         return chr(byte) if byte >= 0xa0 else f'\\x{byte:02X}'
@@ -50,17 +58,20 @@ def nfc(name):
 
 
 def csv_cell(text):
-    """A cell as RFC 4180 has it, always quoted. What a spreadsheet could take for a formula gets an apostrophe in front."""
+    """A cell as RFC 4180 has it, always quoted. What a spreadsheet could take for a formula gets an
+    apostrophe in front."""
     return '"' + FORMULA.sub(r"\1'", clean(text)).replace('"', '""') + '"'
 
 
 def escaped(text):
     """A text that somebody else wrote as HTML."""
-    return html.escape(re.sub(f'(?![\n\t])[{HARMFUL}]', '\ufffd', BROKEN.sub('\ufffd', text))).replace('&#x27;', "'")
+    return html.escape(re.sub(f'(?![\n\t])[{HARMFUL}]', '\ufffd',
+                              BROKEN.sub('\ufffd', text))).replace('&#x27;', "'")
 
 
 def first_word(note):
-    """The word that a note begins with: "stripes" of "stripes: no squares; tried on +z". A name such as std::fmod stays whole."""
+    """The word that a note begins with: "stripes" of "stripes: no squares; tried on +z". A name
+    such as std::fmod stays whole."""
     return re.split('[:;] ', note, maxsplit=1)[0]
 
 
@@ -71,8 +82,11 @@ def with_word(word, note):
 
 
 def padded(text, columns):
-    """The text with at least one blank up to so many columns of a terminal; East Asian characters take two."""
-    return text + ' ' * max(1, columns - sum(2 if unicodedata.east_asian_width(letter) in 'WF' else 1 for letter in text))
+    """The text with at least one blank up to so many columns of a terminal; East Asian characters
+    take two."""
+    return text + ' ' * max(1,
+                            columns - sum(2 if unicodedata.east_asian_width(letter) in 'WF' else 1
+                                          for letter in text))
 
 
 def number(value):
@@ -85,12 +99,15 @@ def counted(count, thing):
 
 
 def page_names(names):
-    """A file name for each student, on any system: no two are equal in any case. All but letters, digits, - and _ becomes _."""
+    """A file name for each student, on any system: no two are equal in any case. All but letters,
+    digits, - and _ becomes _."""
     pages = {'index': ''}  # by their small letters
     for name in names:
         plain = re.sub(rb'[^A-Za-z0-9_-]', b'_', os.fsencode(name)[:80]).decode()
         plain = plain if re.search('[A-Za-z0-9]', plain) else 'student'
-        page = next(page for page in itertools.chain([plain], (f'{plain}-{n}' for n in itertools.count(2))) if page.lower() not in pages)
+        page = next(page for page in itertools.chain([plain],
+                                                     (f'{plain}-{n}' for n in itertools.count(2)))
+                    if page.lower() not in pages)
         pages[page.lower()] = page
     return list(pages.values())[1:]
 
@@ -103,7 +120,8 @@ class Item:
     golden: str = ''  # the chapter's picture
     has_tests: bool = False  # a checkout's tests are worth a point
     exercise: str = ''  # the file of an exercise, in a checkout
-    worth: float | None = None  # the points that it has; None: one for an exercise, one for a picture and one for its tests
+    # the points that it has; None: one for an exercise, one for a picture and one for its tests
+    worth: float | None = None
 
     @property
     def names(self):
@@ -113,11 +131,13 @@ class Item:
 
 @dataclasses.dataclass
 class Row:
-    """One student's result for one item. Words are the student's or the compiler's: not yet escaped."""
+    """One student's result for one item. Words are the student's or the compiler's: not yet
+    escaped."""
     item: Item
     word: str = ''  # ok, mirrored, differs 2.5 %, missing, does not build, ...
     note: str = ''  # the reason in words
-    build: str = ''  # ok, missing, does not build; empty for a folder of pictures, like the next two
+    # ok, missing, does not build; empty for a folder of pictures, like the next two
+    build: str = ''
     run: str = ''  # ok, crashed SIGSEGV, hang, ...
     containment: str = ''  # bwrap, none
     cpu_seconds: str = ''
@@ -151,7 +171,8 @@ class Row:
 
     @property
     def parts(self):
-        """Whether what has points is right: an exercise; of a chapter the picture, and the tests if they count."""
+        """Whether what has points is right: an exercise; of a chapter the picture, and the tests if
+        they count."""
         if self.item.exercise:
             return [self.tests_ok]
         return [self.picture_point, self.tests_ok] if self.with_tests else [self.picture_point]
@@ -162,7 +183,8 @@ class Row:
 
     @property
     def points(self):
-        return number(self.of * sum(self.parts) / len(self.parts) if self.by_hand is None else self.by_hand)
+        return number(self.of * sum(self.parts) / len(self.parts) if self.by_hand is None
+                      else self.by_hand)
 
     @property
     def right(self):
@@ -178,7 +200,8 @@ class Student:
     all_rows: list  # for each item; None until it is graded
     id: str = ''
     person: str = ''
-    by_hand: dict = dataclasses.field(default_factory=dict)  # points and a note, by the name of an item; '': all of the student's
+    # points and a note, by the name of an item; '': all of the student's
+    by_hand: dict = dataclasses.field(default_factory=dict)
 
     @property
     def rows(self):
@@ -186,7 +209,8 @@ class Student:
 
     @property
     def points(self):
-        return number(self.by_hand[''][0] if '' in self.by_hand else sum(row.points for row in self.rows))
+        return number(self.by_hand[''][0] if '' in self.by_hand
+                      else sum(row.points for row in self.rows))
 
     @property
     def of(self):
@@ -194,7 +218,8 @@ class Student:
 
     @property
     def notes(self):
-        by_hand = 'points by hand' + (self.by_hand[''][1] and ': ' + self.by_hand[''][1]) if '' in self.by_hand else ''
+        by_hand = 'points by hand' + (self.by_hand[''][1]
+                                      and ': ' + self.by_hand[''][1]) if '' in self.by_hand else ''
         return '; '.join(filter(None, (self.note, self.unfinished, by_hand)))
 
     @property
@@ -204,7 +229,8 @@ class Student:
     @property
     def has_page(self):
         """A page shows something that the table does not."""
-        return bool(self.note and self.folder) or any(not row.right or row.note for row in self.rows if self.folder)
+        return bool(self.note and self.folder) or any(not row.right or row.note for row in self.rows
+                                                      if self.folder)
 
     @property
     def unfinished(self):
@@ -213,7 +239,8 @@ class Student:
         return f'ended with {done} of {of} graded' if done < of else ''
 
 
-COLUMNS = ('student chapter build run seconds pixels_off share_off rmse ssim picture_ok tests note verdict points of second_picture_ok '
+COLUMNS = ('student chapter build run seconds pixels_off share_off rmse ssim picture_ok tests '
+           'note verdict points of second_picture_ok '
            'limit_seconds contained_by folder unchanged same_as id person').split()
 
 
@@ -225,34 +252,44 @@ def grades_csv_line(student, row):
     figures = [''] * 4
     if row.figures:
         figures = [form % row.figures[name] for name, form in
-                   {'pixels_off': '%d', 'share_off': '%.8f', 'rmse': '%.6f', 'ssim': '%.6f'}.items()]
+                   {'pixels_off': '%d', 'share_off': '%.8f', 'rmse': '%.6f',
+                    'ssim': '%.6f'}.items()]
     picture_ok = '' if row.item.exercise else 'yes' if row.picture_ok else 'no'
-    return csv_line([student.name, row.item.name, row.build, row.run, row.cpu_seconds, *figures, picture_ok, row.tests, row.note, row.word,
-                     row.points, row.of, row.hidden, row.limit_cpu_seconds, row.containment, student.folder,
-                     'yes' if row.unchanged else 'no' if row.written else '', row.same_as, student.id, student.person])
+    return csv_line([student.name, row.item.name, row.build, row.run, row.cpu_seconds, *figures,
+                     picture_ok, row.tests, row.note, row.word,
+                     row.points, row.of, row.hidden, row.limit_cpu_seconds, row.containment,
+                     student.folder,
+                     'yes' if row.unchanged else 'no' if row.written else '', row.same_as,
+                     student.id, student.person])
 
 
 def table(students, head, lines):
-    """After the byte order mark, without which a spreadsheet would not read UTF-8. The first line says so if nothing was contained."""
+    """After the byte order mark, without which a spreadsheet would not read UTF-8. The first line
+    says so if nothing was contained."""
     warning = '' if all(student.contained for student in students) else csv_line([NOT_CONTAINED])
     return '\ufeff' + warning + csv_line(head) + ''.join(lines)
 
 
 def grades_csv(students):
-    return table(students, COLUMNS, [grades_csv_line(student, row) for student in students for row in student.rows])
+    return table(students, COLUMNS,
+                 [grades_csv_line(student, row) for student in students for row in student.rows])
 
 
 def points_csv(students):
     def with_whom(student):
         return '; '.join(f'{row.item.number}: {row.same_as}' for row in student.rows if row.same_as)
-    return table(students, ['folder', 'name', 'points', 'of', 'chapters', 'page', 'note', 'id', 'person', 'unchanged', 'same_as'],
-                 [csv_line([student.folder, student.name, student.points, student.of, len(student.rows), student.page, student.notes,
-                            student.id, student.person, ' '.join(row.item.number for row in student.rows if row.unchanged),
+    return table(students, ['folder', 'name', 'points', 'of', 'chapters', 'page', 'note', 'id',
+                            'person', 'unchanged', 'same_as'],
+                 [csv_line([student.folder, student.name, student.points, student.of,
+                            len(student.rows), student.page, student.notes,
+                            student.id, student.person,
+                            ' '.join(row.item.number for row in student.rows if row.unchanged),
                             with_whom(student)]) for student in students])
 
 
 def say_who_has_the_same(students):
-    """Sets same_as: the names of others whose files of an item are equal, but for blanks and comments; at most three."""
+    """Sets same_as: the names of others whose files of an item are equal, but for blanks and
+    comments; at most three."""
     who = {}
     for student in students:
         for row in student.rows:
@@ -261,12 +298,13 @@ def say_who_has_the_same(students):
     for found in who.values():
         for student, row in found:
             others = [other.name for other, _ in found if other is not student]
-            row.same_as = ', '.join(others[:3]) + (f' and {len(others) - 3} more' if others[3:] else '')
+            row.same_as = ', '.join(others[:3]) + (f' and {len(others) - 3} more'
+                                                   if others[3:] else '')
 
 
-# --- Learning systems --------------------------------------------------------------------------------------------------------------------
-# Each format is a list of tests. A row of the grades makes one test for the picture, worth one point, and one for the chapter's suite,
-# if it ran. An exercise is one test.
+# --- Learning systems -----------------------------------------------------------------------------
+# Each format is a list of tests. A row of the grades makes one test for the picture, worth one
+# point, and one for the chapter's suite, if it ran. An exercise is one test.
 
 @dataclasses.dataclass
 class Test:
@@ -298,7 +336,8 @@ def tests_of(student):
         item, chapter = row.item, int(row.item.name[:2])
         seconds = float(row.cpu_seconds or 0)
         why = with_word(row.word, row.note)
-        made = [('the picture', f'{chapter}.1', why), ('the tests', f'{chapter}.2', why_of_tests(row) if row.tests_run else why)]
+        made = [('the picture', f'{chapter}.1', why),
+                ('the tests', f'{chapter}.2', why_of_tests(row) if row.tests_run else why)]
         if item.exercise:  # 2.E1, because 2.1 is the picture of chapter 02
             made = [('the exercise', f'{chapter}.E{item.name[3:]}', why)]
         parts = row.parts
@@ -306,9 +345,10 @@ def tests_of(student):
             made, parts = [('by hand', made[0][1], why)], [row.points / row.of if row.of else 1]
         of = row.of / len(parts)
         for (what, place, message), share in zip(made, parts):
-            tests.append(Test(f'{item.name}: {what}', place, item.name, item.exercise or f'chapters/{item.name}/lesson.hpp',
-                              number(of * share), number(of), row.build == 'does not build', '' if share >= 1 else clean_lines(message),
-                              seconds))
+            tests.append(Test(f'{item.name}: {what}', place, item.name,
+                              item.exercise or f'chapters/{item.name}/lesson.hpp',
+                              number(of * share), number(of), row.build == 'does not build',
+                              '' if share >= 1 else clean_lines(message), seconds))
             seconds = 0.0  # counted once
     return tests
 
@@ -322,10 +362,12 @@ def gradescope_json(student):
     warning = '' if student.contained else NOT_CONTAINED + '\n'
     return as_json({
         'score': student.points, 'execution_time': round(sum(test.seconds for test in tests), 2),
-        'output': f'{warning}{student.points} of {student.of} points', 'output_format': 'text', 'test_output_format': 'text',
-        'visibility': 'visible', 'stdout_visibility': 'hidden',
-        'tests': [{'name': test.name, 'number': test.number, 'score': test.points, 'max_score': test.of,
-                   'status': 'passed' if test.passed else 'failed', 'output': test.message, 'output_format': 'text', 'tags': [test.item],
+        'output': f'{warning}{student.points} of {student.of} points', 'output_format': 'text',
+        'test_output_format': 'text', 'visibility': 'visible', 'stdout_visibility': 'hidden',
+        'tests': [{'name': test.name, 'number': test.number, 'score': test.points,
+                   'max_score': test.of,
+                   'status': 'passed' if test.passed else 'failed', 'output': test.message,
+                   'output_format': 'text', 'tags': [test.item],
                    'visibility': 'visible'} for test in tests],
         'extra_data': {'folder': clean(student.folder)}})
 
@@ -334,9 +376,12 @@ def classroom_json(student):
     tests = tests_of(student)
     broken = bool(tests) and all(test.broken for test in tests)  # then no test says more
     return as_json({
-        'version': 1, 'status': 'error' if broken else 'pass' if all(test.passed for test in tests) else 'fail', 'max_score': student.of,
-        'tests': [{'name': test.name, 'status': 'pass' if test.passed else 'error' if test.broken else 'fail', 'score': test.points,
-                   'message': test.message, 'test_code': f'./course grade --chapters {test.item}', 'filename': test.file, 'line_no': 1,
+        'version': 1, 'status': 'error' if broken else 'pass' if all(test.passed for test in tests)
+        else 'fail', 'max_score': student.of,
+        'tests': [{'name': test.name, 'status': 'pass' if test.passed else 'error'
+                   if test.broken else 'fail', 'score': test.points,
+                   'message': test.message, 'test_code': f'./course grade --chapters {test.item}',
+                   'filename': test.file, 'line_no': 1,
                    'duration': 1000 * test.seconds} for test in tests]})
 
 
@@ -350,19 +395,21 @@ def classroom_notices(student):
 def junit_xml(student):
     """With the fields that ctest --output-junit writes."""
     def element(tag, **attributes):
-        return f'<{tag}' + ''.join(f' {key}={quoteattr(clean(str(value)))}' for key, value in attributes.items())
+        return f'<{tag}' + ''.join(f' {key}={quoteattr(clean(str(value)))}'
+                                   for key, value in attributes.items())
     tests, cases = tests_of(student), ''
     for test in tests:
-        cases += '  ' + element('testcase', name=test.name, classname=test.item, time=f'{test.seconds:.3f}',
-                                status='run' if test.passed else 'fail')
+        cases += '  ' + element('testcase', name=test.name, classname=test.item,
+                                time=f'{test.seconds:.3f}', status='run' if test.passed else 'fail')
         fault = element('error' if test.broken else 'failure', message=test.message)
         cases += '/>\n' if test.passed else f'>\n    {fault}/>\n  </testcase>\n'
     failed = [test for test in tests if not test.passed]
     errors = sum(test.broken for test in failed)
-    suite = element('testsuite', name=student.name, tests=len(tests), failures=len(failed) - errors, errors=errors, disabled=0, skipped=0,
+    suite = element('testsuite', name=student.name, tests=len(tests), failures=len(failed) - errors,
+                    errors=errors, disabled=0, skipped=0,
                     time=f'{sum(test.seconds for test in tests):.3f}')
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{suite}>\n{cases}</testsuite>\n'
 
 
-FORMATS = {'gradescope': ('results.json', gradescope_json), 'classroom': ('classroom.json', classroom_json),
-           'junit': ('junit.xml', junit_xml)}
+FORMATS = {'gradescope': ('results.json', gradescope_json),
+           'classroom': ('classroom.json', classroom_json), 'junit': ('junit.xml', junit_xml)}

@@ -1,9 +1,10 @@
 """What students handed in: whose it is, and where their chapters or pictures lie in it.
 
-A learning system writes into a file's name, or a folder's, whose it is. Else a folder in the folder that was named is a student's, unless
-work lies in that folder itself. A student's folder is searched three levels deep, as students pack the same work in many ways: ada/03.png,
-ada/out/03_image.png, ada/texmap-main/chapters. Zips are read as folders. Links below the folders that were named are not followed.
-"""
+A learning system writes into a file's name, or a folder's, whose it is. Else a folder in the folder
+that was named is a student's, unless work lies in that folder itself. A student's folder is
+searched three levels deep, as students pack the same work in many ways: ada/03.png,
+ada/out/03_image.png, ada/texmap-main/chapters. Zips are read as folders. Links below the folders
+that were named are not followed."""
 import collections
 import dataclasses
 import functools
@@ -19,14 +20,18 @@ from results import clean, counted, nfc, shown_name
 
 MOST_LEVELS, MOST_ENTRIES, MOST_BYTES = 3, 20000, 1 << 28  # bytes: of a zip, unpacked
 # Folders in which no student's pictures lie, but perhaps other ones of the same names.
-PASSED_OVER = ('__macosx', 'assets', 'build', 'cmake-build-debug', 'common', 'docs', 'node_modules', 'tests')
+PASSED_OVER = ('__macosx', 'assets', 'build', 'cmake-build-debug', 'common', 'docs', 'node_modules',
+               'tests')
 # The one folder that a site, or a student, packs all in.
-PACKING = re.compile('bilder|homework|hw|images|pictures|png|screenshots|.*-(main|master)|.*(texmap|texture).*')
-# How learning systems name what students handed in. Canvas adds -1 to the name of a file that is handed in again.
+PACKING = re.compile(
+    'bilder|homework|hw|images|pictures|png|screenshots|.*-(main|master)|.*(texmap|texture).*')
+# How learning systems name what students handed in. Canvas adds -1 to the name of a file that is
+# handed in again.
 SYSTEMS = {
     'Moodle': r'(?P<who>.+)_(?P<id>\d+)_assign(?P<part>[a-z]+_[a-z]+)_?(?P<rest>.*)',
     'Blackboard': r'(?P<who>.+)_attempt_(?P<when>\d{4}(?:-\d\d){5})(?:_(?P<rest>.+)|\.txt)',
-    'Canvas': r'(?!\d\d?_)(?P<who>.+?)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+?)(?:-(?P<when>\d+))?(?P<ending>\.\w+)?'}
+    'Canvas': r'(?!\d\d?_)(?P<who>.+?)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+?)'
+              r'(?:-(?P<when>\d+))?(?P<ending>\.\w+)?'}
 
 
 @dataclasses.dataclass
@@ -50,7 +55,8 @@ class Submission:
     note: str = ''
     parts: list = dataclasses.field(default_factory=list)  # the entries in it
     checkout: str = ''  # holds chapters/ or the chapters; empty for pictures
-    pictures: dict = dataclasses.field(default_factory=dict)  # by the item's name: the file, and why it cannot be taken
+    # by the item's name: the file, and why it cannot be taken
+    pictures: dict = dataclasses.field(default_factory=dict)
     seen: str = ''  # pictures and code that lie there, by name, where no checkout is
 
 
@@ -65,14 +71,18 @@ NAMED = set()  # folders with what was unpacked of zips that the instructor name
 
 @functools.cache
 def unpacked(path):
-    """The folder with what is of use in a zip; of other files it has the names. None if the zip cannot be read."""
+    """The folder with what is of use in a zip; of other files it has the names. None if the zip
+    cannot be read."""
     folder, left = tempfile.mkdtemp(dir=scratch().name), MOST_BYTES
     try:
         with zipfile.ZipFile(path) as packed:
             for info in packed.infolist()[:MOST_ENTRIES]:
-                name = info.filename  # without this flag it is in UTF-8, too, if Apple's systems made it
-                name = name if info.flag_bits & 0x800 else name.encode('cp437').decode('utf-8', 'surrogateescape')
-                parts = [part for part in name.replace('\\', '/').split('/') if part not in ('', '.', '..')]
+                # without this flag it is in UTF-8, too, if Apple's systems made it
+                name = info.filename
+                name = name if info.flag_bits & 0x800 else name.encode('cp437').decode(
+                    'utf-8', 'surrogateescape')
+                parts = [part for part in name.replace('\\', '/').split('/')
+                         if part not in ('', '.', '..')]
                 if not parts or any(is_passed_over(part) and part != 'common' for part in parts):
                     continue
                 target = Path(folder, *parts)
@@ -91,7 +101,8 @@ def unpacked(path):
 
 
 def entry_of(path, is_named=False):
-    """The entry at a path. Of a zip that is not read it is the file: one that is broken or too large, or lies in a student's zip."""
+    """The entry at a path. Of a zip that is not read it is the file: one that is broken or too
+    large, or lies in a student's zip."""
     name, is_link = os.path.basename(path), os.path.islink(path)
     is_folder = not is_link and os.path.isdir(path)
     if name.lower().endswith('.zip') and not (is_link or is_folder):
@@ -110,7 +121,8 @@ def entries_of(folder):
     except OSError:
         return []
     there = set(paths)  # a zip next to what was unpacked from it is not read again
-    return [entry_of(path) for path in sorted(paths, key=os.fsencode) if not (path.lower().endswith('.zip') and path[:-4] in there)]
+    return [entry_of(path) for path in sorted(paths, key=os.fsencode)
+            if not (path.lower().endswith('.zip') and path[:-4] in there)]
 
 
 def is_passed_over(name):
@@ -122,19 +134,22 @@ def is_code(name):
 
 
 def has_chapters(folder):
-    return any(entry.is_folder and re.match('[0-9][0-9]_.', entry.name) for entry in entries_of(folder))
+    return any(entry.is_folder and re.match('[0-9][0-9]_.', entry.name)
+               for entry in entries_of(folder))
 
 
 def is_chapter(items, folder):
-    """Whether this is the folder of a chapter that is graded. The name alone does not say so: a student's folder, or one of pictures, can
-    have it. So there must be code in it."""
+    """Whether this is the folder of a chapter that is graded. The name alone does not say so: a
+    student's folder, or one of pictures, can have it. So there must be code in it."""
     if not any(folder.name == item.name or f'/{folder.name}/' in item.exercise for item in items):
         return False
-    return any(is_code(entry.name) or entry.is_folder and entry.name == 'exercises' for entry in entries_of(folder.path))
+    return any(is_code(entry.name) or entry.is_folder and entry.name == 'exercises'
+               for entry in entries_of(folder.path))
 
 
 def misfit(stem, item):
-    """How well a file's name says that it is an item's picture: 0 best, then 1, 2, 3; None if it does not say so."""
+    """How well a file's name says that it is an item's picture: 0 best, then 1, 2, 3; None if it
+    does not say so."""
     name = stem.lower()
     if name == item.name.lower():
         return 0
@@ -154,7 +169,8 @@ class Search:
     def __init__(self, items, entries, levels, folder=''):
         self.items = items
         self.checkout = ''
-        self.candidates = {}  # by the item's name: misfit, level, when, path, name and whether it is a link
+        # by the item's name: misfit, level, when, path, name and whether it is a link
+        self.candidates = {}
         self.entries = 0
         self.seen = []  # names of pictures that fit nothing
         self.code = ''  # the first file of code outside a chapter
@@ -169,8 +185,10 @@ class Search:
             if entry.is_folder:
                 if entry.name.lower() == 'chapters' and has_chapters(entry.path):
                     # Who builds it knows chapters/ in small letters, or takes the folder itself.
-                    self.checkout = self.checkout or (folder if entry.path == os.path.join(folder, 'chapters') else entry.path)
-                elif entry.path == os.path.join(folder, entry.name) and is_chapter(self.items, entry):
+                    self.checkout = self.checkout or (
+                        folder if entry.path == os.path.join(folder, 'chapters') else entry.path)
+                elif entry.path == os.path.join(folder,
+                                                entry.name) and is_chapter(self.items, entry):
                     holds_chapters = True
                 elif not is_passed_over(entry.name):
                     below.append(entry)
@@ -183,12 +201,14 @@ class Search:
         for part in below if level < levels else ():
             if not self.checkout:
                 inner = entries_of(part.path)
-                self.look_into([dataclasses.replace(entry, when=part.when) for entry in inner], part.path, level + 1, levels)
+                self.look_into([dataclasses.replace(entry, when=part.when) for entry in inner],
+                               part.path, level + 1, levels)
 
     def take_picture(self, entry, level):
         stem, ending = os.path.splitext(entry.name)
         if ending.lower() in ('.bmp', '.ppm', '.zip', '.rar', '.7z', '.gz'):
-            self.seen.append(entry.name + (', which is not read' if ending.lower() == '.zip' else ''))
+            self.seen.append(entry.name
+                             + (', which is not read' if ending.lower() == '.zip' else ''))
         jpeg = ending.lower() in ('.jpg', '.jpeg')
         if ending.lower() != '.png' and not jpeg:
             return
@@ -197,7 +217,9 @@ class Search:
             fit = None if item.exercise else misfit(stem, item)
             if fit is not None and not (jpeg and fit > 2):  # a photo may have any number
                 fit += 4 * jpeg  # any PNG is better
-                self.candidates.setdefault(item.name, []).append((fit, level, entry.when, entry.path, entry.name, entry.is_link))
+                self.candidates.setdefault(item.name,
+                                           []).append((fit, level, entry.when, entry.path,
+                                                       entry.name, entry.is_link))
                 fits = True
         if not fits:
             self.seen.append(entry.name)
@@ -211,11 +233,13 @@ class Search:
         if self.seen[4:]:
             words += f' and {counted(len(self.seen) - 4, "picture")} more'
         if self.code:
-            words += ('; ' if words else '') + f"{clean(shown_name(self.code))}, but not in a chapter's folder"
+            words += ('; ' if words
+                      else '') + f"{clean(shown_name(self.code))}, but not in a chapter's folder"
         return words
 
     def pictures(self):
-        """Of the candidates the one whose name fits best, then the one nearest to the top, then the newest."""
+        """Of the candidates the one whose name fits best, then the one nearest to the top, then the
+        newest."""
         result = {}
         for item, candidates in self.candidates.items():
             newest_first = sorted(candidates, key=lambda one: (len(one[2]), one[2]), reverse=True)
@@ -257,9 +281,12 @@ def submission_of(items, entry, folder):
 
 
 def named_by_systems(entries):
-    """For each entry whose name a learning system made: the entry, the system, and the parts of the name."""
-    matches = [(entry, system, re.fullmatch(pattern, entry.name)) for entry in entries for system, pattern in SYSTEMS.items()]
-    found = {entry.path: (entry, system, match.groupdict()) for entry, system, match in reversed(matches) if match}
+    """For each entry whose name a learning system made: the entry, the system, and the parts of the
+    name."""
+    matches = [(entry, system, re.fullmatch(pattern, entry.name)) for entry in entries
+               for system, pattern in SYSTEMS.items()]
+    found = {entry.path: (entry, system, match.groupdict())
+             for entry, system, match in reversed(matches) if match}
     return [found[entry.path] for entry in entries if entry.path in found]
 
 
@@ -272,7 +299,8 @@ def submissions_of_systems(items, folder, named):
     for entry, system, part in named:
         who = shown_name(part['who'].removeprefix(title) if system == 'Blackboard' else part['who'])
         whole = entry.is_folder and not part.get('rest')
-        new = Submission(shown_name(os.path.join(folder, entry.name)), who, f"{system}'s {'folders' if whole else 'flat files'}",
+        new = Submission(shown_name(os.path.join(folder, entry.name)), who,
+                         f"{system}'s {'folders' if whole else 'flat files'}",
                          part.get('id') or who, nfc(who))
         one = found.setdefault((system, who, new.id), new)
         if part.get('late'):
@@ -301,32 +329,46 @@ def students_in(items, folder, entry, single, one, each):
     entries = entries_of(entry.path)
     named = [] if one else named_by_systems(entries)
     taken = {part.path for part, *_ in named}
-    below = [part for part in entries if part.path not in taken and (part.is_folder or os.path.isdir(part.path)) and not (
-        part.name.lower() in ('out', 'chapters', *(item.name.lower() for item in items)) or is_passed_over(part.name) or
+    below = [part for part in entries if part.path not in taken
+             and (part.is_folder or os.path.isdir(part.path)) and not (
+        part.name.lower() in ('out', 'chapters', *(item.name.lower() for item in items))
+        or is_passed_over(part.name) or
         is_chapter(items, part))]
-    if len(below) == 1 and PACKING.fullmatch(below[0].name.lower()) and not each and not named_by_systems(entries_of(below[0].path)):
+    if len(below) == 1 and PACKING.fullmatch(
+        below[0].name.lower()) and not each and not named_by_systems(entries_of(below[0].path)):
         below = []
-    own = Search(items, [part for part in entries if part not in below and part.path not in taken], 1, entry.path)
-    with_work = [part for part in below if part.is_folder and Search(items, entries_of(part.path), MOST_LEVELS - 1, part.path).has_work()]
-    is_class = (single or len(with_work) > 1) and (len(with_work) > 1 and single or not own.candidates) and below and not own.checkout
+    own = Search(items, [part for part in entries if part not in below and part.path not in taken],
+                 1, entry.path)
+    with_work = [part for part in below if part.is_folder
+                 and Search(items, entries_of(part.path), MOST_LEVELS - 1, part.path).has_work()]
+    many = len(with_work) > 1
+    is_class = ((single or many) and (many and single or not own.candidates)
+                and below and not own.checkout)
     if one or not (each or named or is_class):
-        remark = f"{clean(shown_name(folder))} is graded as one student's folder; --class grades each folder in it as a student's"
+        remark = (f"{clean(shown_name(folder))} is graded as one student's folder; --class grades "
+                  "each folder in it as a student's")
         is_unclear = single and not one and len(with_work) > bool(own.checkout)
         return [submission_of(items, entry, folder)], remark if is_unclear else ''
     found = submissions_of_systems(items, folder, named)
     for part in with_work if named else below:
         shown, inner = os.path.join(folder, part.name), named_by_systems(entries_of(part.path))
-        found += submissions_of_systems(items, shown, inner) if inner else [submission_of(items, part, shown)]
+        found += submissions_of_systems(items, shown,
+                                        inner) if inner else [submission_of(items, part, shown)]
     nobodys = min(own.candidates.items(), default=None)
-    return found, f"{clean(shown_name(nobodys[1][0][4]))} is nobody's: it lies next to students' folders" if nobodys else ''
+    return (found,
+            f"{clean(shown_name(nobodys[1][0][4]))} is nobody's: it lies next to students' folders"
+            if nobodys else '')
 
 
 def find_submissions(paths, items, one=False, each=False):
-    """The submissions in the folders, zips and files that were named, and what is to be said of them."""
+    """The submissions in the folders, zips and files that were named, and what is to be said of
+    them."""
     top = {path: entry_of(os.path.realpath(path), True) for path in paths}
     # Of a single folder the name says nothing, but for Moodle's.
-    named = named_by_systems([one for one in top.values() if len(top) > 1 or not one.is_folder or '_assignsubmission_' in one.name])
-    found, remarks = submissions_of_systems(items, os.path.dirname(paths[0]), [] if one else named), []
+    named = named_by_systems([one for one in top.values() if len(top) > 1 or not one.is_folder
+                              or '_assignsubmission_' in one.name])
+    found, remarks = submissions_of_systems(items, os.path.dirname(paths[0]),
+                                            [] if one else named), []
     for path, entry in top.items():
         if not one and any(entry is part for part, *_ in named):
             continue
@@ -353,4 +395,5 @@ def what_was_read(submissions):
     words = [f'{counted(count, "student")} in {kind}' for kind, count in kinds.items()]
     checkouts = sum(bool(submission.checkout) for submission in submissions)
     words += [counted(checkouts, 'checkout')] if checkouts else []
-    return ', '.join(words + [counted(sum(len(submission.pictures) for submission in submissions), 'picture')])
+    return ', '.join(words + [counted(sum(len(submission.pictures) for submission in submissions),
+                                      'picture')])

@@ -31,8 +31,10 @@ MARK_OF_EXERCISE = re.compile(r'^ *// (solution$|start: )')  # in tests/exercise
 FIGURES = 'docs/figures.txt'  # lines of a name, a blank and the value
 MEASURED = 'docs/measurements.md'
 MOST_WORDS = 1800  # on the main road of a chapter's page
-SKIPPED = re.compile(r'^## Exercises$.*?(?=^## (?!Questions)|\Z)|<details>.*?</details>|^```.*?^```|<!--.*?-->|!\[.*?\]\(.*?\)|^(?:\||    )[^\n]*'
-                     r'|</?[a-z][^>]*>|\]\([^)]*\)', re.MULTILINE | re.DOTALL)
+SKIPPED = re.compile(r'^## Exercises$.*?(?=^## (?!Questions)|\Z)|<details>.*?</details>'
+                     r'|^```.*?^```|<!--.*?-->|!\[.*?\]\(.*?\)|^(?:\||    )[^\n]*'
+                     r'|</?[a-z][^>]*>|\]\([^)]*\)',
+                     re.MULTILINE | re.DOTALL)
 
 
 class Fault(Exception):
@@ -113,7 +115,8 @@ def code_of(root, page, mark):
 
 def joined(text):
     """Figures that begin a line go to the line before: Markdown would take the line for HTML."""
-    return re.sub(r'(?<=[^\n])\n(<!-- figure: [^\n]*?<!-- end -->[^\s|]*) ?', r' \1\n', text).replace('\n\n\n', '\n\n')
+    return re.sub(r'(?<=[^\n])\n(<!-- figure: [^\n]*?<!-- end -->[^\s|]*) ?', r' \1\n',
+                  text).replace('\n\n\n', '\n\n')
 
 
 def renewed(root, page, figures, used):
@@ -167,7 +170,8 @@ def measured(text):
                 ratio = re.search(r'\(([\d.]+)×\)$', cell)
                 if ratio:
                     digits = 0 if float(ratio[1]) >= 20 else 1 if float(ratio[1]) >= 1 else 2
-                    ratios[f'measured.{group}.{word(cells[0])}.{word(column)}'] = f'{float(ratio[1]):.{digits}f}'
+                    name = f'measured.{group}.{word(cells[0])}.{word(column)}'
+                    ratios[name] = f'{float(ratio[1]):.{digits}f}'
     return ratios
 
 
@@ -177,7 +181,8 @@ def words_on_the_road(text):
 
 
 def run(root, write):
-    figures = dict(line.split(' ', 1) for line in (root / FIGURES).read_text(encoding='utf-8').splitlines())
+    figures = dict(line.split(' ', 1)
+                   for line in (root / FIGURES).read_text(encoding='utf-8').splitlines())
     counted = list(figures)
     if (root / MEASURED).is_file():
         figures |= measured((root / MEASURED).read_text(encoding='utf-8'))
@@ -207,7 +212,8 @@ def run(root, write):
                    if name not in used and list(root.glob(f'chapters/{name[:2]}_*'))]
     for fault in faults:
         print(f'FAIL: {fault}', file=sys.stderr)
-    print(f'{len(pages_of(root))} pages, {len(used)} figures, {changed} {"renewed" if write else "stale"}')
+    print(f'{len(pages_of(root))} pages, {len(used)} figures, {changed} '
+          f'{"renewed" if write else "stale"}')
     return 1 if faults else 0
 
 
@@ -219,7 +225,8 @@ def self_test():
         (work / 'common/texture').mkdir(parents=True)
         (work / 'chapters').mkdir()
         (work / 'common/texture/uv.hpp').write_text(
-            '/// Doc with { a brace.\ntemplate <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n'
+            '/// Doc with { a brace.\ntemplate <class Real>\nReal half(Real x) {\n  // } in a '
+            'comment\n  if (x) {\n    return x / 2;\n'
             '  }\n  return half(x);\n}\n', encoding='utf-8')
         (work / FIGURES).write_text('02.n 76\n', encoding='utf-8')
         readme = work / 'README.md'
@@ -239,7 +246,8 @@ def self_test():
         def block(mark, code=''):
             return f'<!-- code: texture/uv.hpp {mark} -->\n```cpp\n{code}```\n'
 
-        whole = 'template <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n  }\n  return half(x);\n}\n'
+        whole = ('template <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n   '
+                 ' return x / 2;\n  }\n  return half(x);\n}\n')
         figure = '<!-- figure: 02.n -->76<!-- end -->'
         assert renew(block('half', 'old\n')) == block('half', whole)
         assert renew('a\n<!-- figure: 02.n --><!-- end -->, b') == f'a {figure},\nb'
@@ -269,7 +277,8 @@ def main():
     if len(sys.argv) != 3 or sys.argv[2] not in ('--check', '--write', '--self-test'):
         print('usage: pages.py ROOT --check|--write|--self-test', file=sys.stderr)
         return 2
-    return self_test() if sys.argv[2] == '--self-test' else run(pathlib.Path(sys.argv[1]).resolve(), sys.argv[2] == '--write')
+    return self_test() if sys.argv[2] == '--self-test' else run(pathlib.Path(sys.argv[1]).resolve(),
+                                                                sys.argv[2] == '--write')
 
 
 if __name__ == '__main__':

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes what the error microscope of the book's cover loads: make_microscope.py MODULE OUT writes both MODULE and a map in OUT/cover.js."""
+"""Makes what the error microscope of the book's cover loads: make_microscope.py MODULE OUT writes
+both MODULE and a map in OUT/cover.js."""
 import os
 import sys
 import zlib
@@ -9,6 +10,8 @@ from make_playground import HERE, in_base64, read, write  # noqa: E402
 
 if len(sys.argv) != 3:
     raise SystemExit(__doc__)
-earth = read(os.path.join(HERE, "cover_earth.jpg"))  # to make it again: convert assets/earth.png -quality 60
+# to make it again: convert assets/earth.png -quality 60
+earth = read(os.path.join(HERE, "cover_earth.jpg"))
 packed = zlib.compress(read(sys.argv[1]), 9)
-write(os.path.join(sys.argv[2], "cover.js"), f'texmapCover("{in_base64(packed)}", "{in_base64(earth)}");\n')
+write(os.path.join(sys.argv[2], "cover.js"),
+      f'texmapCover("{in_base64(packed)}", "{in_base64(earth)}");\n')

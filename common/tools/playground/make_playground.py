@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Makes what the live pictures load, out of the module and pictures.
 
-usage: make_playground.py MODULES ASSETS OUT     MODULES' chapters_01_to_06.wasm in OUT/modules.js, chapter_NN.wasm in OUT/NN.js,
-                                                 page_NN.wasm in OUT/module_NN.js, the pictures that they load in OUT/NAME.js, and OUT/playground.html: 02 to 06 in one file
+usage: make_playground.py MODULES ASSETS OUT
+It writes MODULES' chapters_01_to_06.wasm into OUT/modules.js, chapter_NN.wasm into OUT/NN.js,
+page_NN.wasm into OUT/module_NN.js, the pictures that they load into OUT/NAME.js, and 02 to 06 in
+one file, OUT/playground.html.
 """
 import base64
 import os
@@ -28,8 +30,9 @@ def in_base64(data):
 
 
 def in_15_bits(data):
-    """Fifteen bits a character, U+3400 to U+B3FF: in UTF-16 a fifteenth more than the bytes, where base64 takes a third more.
-    The first character says whether the last byte only fills up: browsers unpack no stream with a byte behind it."""
+    """Fifteen bits a character, U+3400 to U+B3FF: in UTF-16 a fifteenth more than the bytes, where
+    base64 takes a third more. The first character says whether the last byte only fills up:
+    browsers unpack no stream with a byte behind it."""
     bits = int.from_bytes(data, "big") << -8 * len(data) % 15
     count = -(-8 * len(data) // 15)
     text = bytearray((0x3400 + count * 15 // 8 - len(data)).to_bytes(2, "little"))
@@ -50,8 +53,10 @@ def file_script(data, name, as_text):
 
 
 def page(module):
-    # The chapters ask for earth.png; the bytes say that it is a JPEG. To make it again: convert assets/earth.png -scale 25% -quality 78
-    scripts = [module_script(module, in_base64), file_script(read(os.path.join(HERE, "small_earth.jpg")), "earth.png", in_base64)]
+    # The chapters ask for earth.png; the bytes say that it is a JPEG. To make it again: convert
+    # assets/earth.png -scale 25% -quality 78
+    scripts = [module_script(module, in_base64),
+               file_script(read(os.path.join(HERE, "small_earth.jpg")), "earth.png", in_base64)]
     parts = {
         "colors": source("../book/book.css").split("* {")[0].strip(),  # the book's, light and dark
         "css": source("live.css"),
@@ -67,7 +72,8 @@ def write(path, text, encoding="utf-8"):
 
 
 def write_script(path, text):
-    write(path, "\ufeff" + text, "utf-16-le")  # the mark tells browsers, whatever the page's encoding
+    # the mark tells browsers, whatever the page's encoding
+    write(path, "\ufeff" + text, "utf-16-le")
 
 
 def main(words):
@@ -79,13 +85,16 @@ def main(words):
     for name in sorted(os.listdir(modules)):
         chapter = re.fullmatch(r"chapter_(\d\d)\.wasm", name)
         if chapter:
-            write_script(os.path.join(out, f"{chapter[1]}.js"), module_script(os.path.join(modules, name), in_15_bits))
+            write_script(os.path.join(out, f"{chapter[1]}.js"),
+                         module_script(os.path.join(modules, name), in_15_bits))
         own = re.fullmatch(r"page_(\d\d)\.wasm", name)
         if own:
             packed = zlib.compress(read(os.path.join(modules, name)), 9)
-            write_script(os.path.join(out, f"module_{own[1]}.js"), file_script(packed, f"module_{own[1]}", in_15_bits))
+            write_script(os.path.join(out, f"module_{own[1]}.js"),
+                         file_script(packed, f"module_{own[1]}", in_15_bits))
     for name in FILES:
-        write_script(os.path.join(out, name.split(".")[0] + ".js"), file_script(read(os.path.join(assets, name)), name, in_15_bits))
+        write_script(os.path.join(out, name.split(".")[0] + ".js"),
+                     file_script(read(os.path.join(assets, name)), name, in_15_bits))
     write(os.path.join(out, "playground.html"), page(first))
 
 
