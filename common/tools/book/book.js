@@ -12,8 +12,8 @@ async function unpacked(text) {
 // A text's words in small letters, each between blanks, so that a search finds whole words.
 const plain = (text) => ` ${text.toLowerCase().replace(/[^\p{L}\p{N}_]+/gu, " ").trim()} `;
 
-// Sections that hold all words: the whole phrase before single words, a title before its text, whole words before those that only
-// begin so. The last word may be unfinished.
+// Sections that hold all words: the whole phrase before single words, a title before its text,
+// whole words before those that only begin so. The last word may be unfinished.
 function matches(query) {
   const phrase = plain(query);
   const words = phrase.trim().split(" ").filter(Boolean);
@@ -26,13 +26,15 @@ function matches(query) {
     const [title, text] = section.plain;
     const whole = words.filter((word) => inAny(` ${word} `)).length / words.length;
     const place = 4 * title.includes(phrase) + 3 * text.includes(phrase) + whole;
-    rated.push([2 * place + words.filter((word) => title.includes(` ${word} `)).length / words.length, section]);
+    rated.push([2 * place
+      + words.filter((word) => title.includes(` ${word} `)).length / words.length, section]);
   }
   rated.sort((a, b) => b[0] - a[0]);
   return rated.slice(0, 12).map(([, section]) => section);
 }
 
-// A text in pieces, every second of them found: the phrase, or else its words, and those that begin with a longer one.
+// A text in pieces, every second of them found: the phrase, or else its words, and those that begin
+// with a longer one.
 function foundIn(text, query) {
   const words = plain(query).trim().split(" ");
   const hasPhrase = plain(text).includes(plain(query));
@@ -42,14 +44,16 @@ function foundIn(text, query) {
   return text.split(new RegExp(`(?<![\\p{L}\\p{N}_])(${any})(?![\\p{L}\\p{N}_])`, "giu"));
 }
 const marked = (text, query) =>
-  foundIn(text, query).map((part, i) => i % 2 ? Object.assign(document.createElement("mark"), {textContent: part}) : part);
+  foundIn(text, query).map((part, i) => i % 2 ? Object.assign(document.createElement("mark"),
+    {textContent: part}) : part);
 
 // The words around what was found first.
 function excerpt({words}, query) {
   const pieces = foundIn(words, query);
   const at = pieces.length > 1 ? Math.max(0, pieces[0].length - 50) : 0;
   const from = at && words.indexOf(" ", at) + 1;
-  return [from ? "… " : "", ...marked(words.slice(from, words.indexOf(" ", from + 130) + 1 || undefined), query), "…"];
+  return [from ? "… " : "",
+    ...marked(words.slice(from, words.indexOf(" ", from + 130) + 1 || undefined), query), "…"];
 }
 
 async function show() {
@@ -72,11 +76,13 @@ async function show() {
     item.append(link);
     return item;
   }));
-  if (list.length === 0 && box.value.trim()) found.textContent = "Nothing holds all of these words.";
+  if (list.length === 0 && box.value.trim())
+    found.textContent = "Nothing holds all of these words.";
 }
 
 for (const event of ["input", "focus"]) box.addEventListener(event, show);
-document.addEventListener("pointerdown", ({target}) => { if (!target.closest(".search")) found.hidden = true; });
+document.addEventListener("pointerdown",
+  ({target}) => { if (!target.closest(".search")) found.hidden = true; });
 document.addEventListener("keydown", (event) => {
   const typing = document.activeElement === box;
   const links = [...found.querySelectorAll("a")];
@@ -93,17 +99,21 @@ document.addEventListener("keydown", (event) => {
     event.preventDefault();
     const next = place + (event.key === "ArrowDown" ? 1 : -1);
     (links[next] || box).focus();
-  } else if ((event.key === "ArrowLeft" || event.key === "ArrowRight") && !typing && place < 0 && !event.altKey && !event.ctrlKey &&
-             !event.metaKey && !event.shiftKey && !document.activeElement.closest("pre, .scroll, input")) {
+  } else if ((event.key === "ArrowLeft" || event.key === "ArrowRight") && !typing && place < 0
+    && !event.altKey && !event.ctrlKey &&
+             !event.metaKey && !event.shiftKey
+               && !document.activeElement.closest("pre, .scroll, input")) {
     const link = document.querySelector(event.key === "ArrowLeft" ? "a[rel=prev]" : "a[rel=next]");
     if (link) location.href = link.href;
   }
 });
 
-// A button beside each command, which copies it without what two blanks part from it: words about it.
+// A button beside each command, which copies it without what two blanks part from it: words about
+// it.
 const command = /^(\.\/course|cmake|git|cd|sudo|apt-get|brew|pacman|bash|curl) /;
 for (const code of document.querySelectorAll(".code > pre > code")) {
-  if (code.children.length || !code.textContent.split("\n").some((line) => command.test(line))) continue;
+  if (code.children.length || !code.textContent.split("\n").some((line) => command.test(line)))
+    continue;
   code.replaceChildren(...code.textContent.trimEnd().split("\n").map((line) => {
     if (!command.test(line)) return line + "\n";
     const [typed] = line.split("  ");
@@ -112,14 +122,16 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
     const row = document.createElement("span");
     row.className = "command";
     row.append(words, copy);
-    words.append(typed, Object.assign(document.createElement("i"), {textContent: line.slice(typed.length)}));
+    words.append(typed,
+      Object.assign(document.createElement("i"), {textContent: line.slice(typed.length)}));
     copy.textContent = "Copy";
     copy.setAttribute("aria-label", `Copy ${typed}`);
     copy.addEventListener("click", async () => {
       try {
         await navigator.clipboard.writeText(typed);
       } catch {
-        getSelection().setBaseAndExtent(words, 0, words, words.childNodes.length - 1); // without the words about it
+        // without the words about it
+        getSelection().setBaseAndExtent(words, 0, words, words.childNodes.length - 1);
         document.execCommand("copy");
       }
       copy.textContent = "Copied";
@@ -130,7 +142,8 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
 }
 
 // No line ends after the hyphens of an option, nor after a minus sign.
-for (const code of document.querySelectorAll(":not(pre) > code, .command > span")) code.innerHTML = code.innerHTML.replace(/(?<!\w)--?\w[\w-]*/g, "<span class=\"whole\">$&</span>");
+for (const code of document.querySelectorAll(":not(pre) > code, .command > span"))
+  code.innerHTML = code.innerHTML.replace(/(?<!\w)--?\w[\w-]*/g, "<span class=\"whole\">$&</span>");
 
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {

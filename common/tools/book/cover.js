@@ -1,17 +1,20 @@
-// The error microscope of the cover. live/cover.js calls texmapCover with the module and the map; where a browser lacks something,
-// or that file is missing, the still picture stays.
+// The error microscope of the cover. live/cover.js calls texmapCover with the module and the map;
+// where a browser lacks something, or that file is missing, the still picture stays.
 "use strict";
 const texmapCover = async (packed, earth) => {
   const hero = document.querySelector(".hero");
   const part = (what) => hero.querySelector(what);
-  const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span", "table", ".said"].map(part);
+  const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span",
+    "table", ".said"].map(part);
   const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   let code;
   try {
-    const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
+    const stream = new Blob([bytesOf(packed)]).stream()
+      .pipeThrough(new DecompressionStream("deflate"));
     const module = await WebAssembly.compile(await new Response(stream).arrayBuffer());
     const imports = {};
-    for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
+    for (const {module: from, name} of WebAssembly.Module.imports(module))
+      (imports[from] ??= {})[name] = () => 0;
     code = (await WebAssembly.instantiate(module, imports)).exports;
     code._initialize();
     const map = bytesOf(earth), start = code.take(map.length);
@@ -23,7 +26,8 @@ const texmapCover = async (packed, earth) => {
 
   const radii = () => 10 ** (slider.value / 100);  // from the eye to the surface
   const place = {across: 0.2, down: 0.42};         // of the pixel, in the picture
-  const paper = canvas.getContext("2d", {willReadFrequently: true}), small = document.createElement("canvas");
+  const paper = canvas.getContext("2d", {willReadFrequently: true}),
+    small = document.createElement("canvas");
   const sketch = small.getContext("2d", {willReadFrequently: true});
   let perPixel = 2e-4;  // milliseconds that a pixel takes
   let idle = 0, asked = 0, telling = 0;
@@ -40,7 +44,8 @@ const texmapCover = async (packed, earth) => {
   const affordable = () => 20 / perPixel;  // pixels in 20 ms
   // In strips: the hand may move on.
   function full(first = 0) {
-    const size = canvas.width, count = Math.max(1, Math.min(size - first, Math.floor(affordable() / size)));
+    const size = canvas.width,
+      count = Math.max(1, Math.min(size - first, Math.floor(affordable() / size)));
     paint(paper, size, first, count);
     if (first + count < size) idle = setTimeout(full, 0, first + count);
     else hero.dataset.state = "done";
@@ -51,7 +56,8 @@ const texmapCover = async (packed, earth) => {
     clearTimeout(idle);
     const wanted = fullSize();
     if (canvas.width !== wanted) canvas.width = canvas.height = wanted;
-    small.width = small.height = Math.min(wanted, Math.max(64, Math.floor(Math.sqrt(affordable()))));
+    small.width = small.height = Math.min(wanted,
+      Math.max(64, Math.floor(Math.sqrt(affordable()))));
     paint(sketch, small.width, 0, small.width);
     paper.drawImage(small, 0, 0, wanted, wanted);
     idle = setTimeout(full, 150);
@@ -63,7 +69,8 @@ const texmapCover = async (packed, earth) => {
 
   // ---- A pixel's numbers. All of them are exact here: whole multiples of 2^-256.
   const unit = 2n ** 256n;
-  const exact = (...parts) => parts.reduce((sum, one) => sum + BigInt(Math.trunc(one * 2 ** 256)), 0n);
+  const exact = (...parts) =>
+    parts.reduce((sum, one) => sum + BigInt(Math.trunc(one * 2 ** 256)), 0n);
   const magnitude = (number) => number < 0n ? -number : number;
   // A number times 10^places, rounded.
   const rounded = (number, places) => {
@@ -71,7 +78,8 @@ const texmapCover = async (packed, earth) => {
     const whole = (2n * magnitude(number) * up + unit * down) / (2n * unit * down);
     return number < 0n ? -whole : whole;
   };
-  // A number's text in two pieces: the second begins at the first place where it, rounded, is not the true number, rounded.
+  // A number's text in two pieces: the second begins at the first place where it, rounded, is not
+  // the true number, rounded.
   function pieces(number, truth, places, grouped) {
     const digits = String(magnitude(rounded(number, places))).padStart(places + 1, "0");
     const before = digits.length - places;
@@ -80,14 +88,17 @@ const texmapCover = async (packed, earth) => {
     for (let i = 0; i < digits.length; ++i) {
       const at = i - before + 1;
       if (!wrong && rounded(number, at) !== rounded(truth, at)) wrong = 1;
-      const mark = at === 1 ? "." : grouped && i > 0 && i < before && (before - i) % 3 === 0 ? ",\u200b" : "";  // a line may end here
+      // a line may end here
+      const mark = at === 1 ? "." : grouped && i > 0 && i < before && (before - i) % 3 === 0
+        ? ",\u200b" : "";
       text[text[1] ? 1 : 0] += mark;
       text[wrong] += digits[i];
     }
     return text;
   }
-  const wrongly = (text) => [Object.assign(document.createElement("span"), {className: "said", textContent: " wrong from here: "}),
-    Object.assign(document.createElement("i"), {textContent: text})];
+  const wrongly = (text) => [Object.assign(document.createElement("span"),
+    {className: "said", textContent: " wrong from here: "}),
+  Object.assign(document.createElement("i"), {textContent: text})];
   const written = ([right, wrong]) => wrong ? [right, ...wrongly(wrong)] : [right];
 
   function look() {
@@ -95,11 +106,14 @@ const texmapCover = async (packed, earth) => {
     const down = Math.min(canvas.width - 1, Math.floor(place.down * canvas.width));
     pin.style.left = `${100 * (across + 0.5) / canvas.width}%`;
     pin.style.top = `${100 * (down + 0.5) / canvas.width}%`;
-    const all = new Float64Array(code.memory.buffer, code.look(radii(), canvas.width, across, down), 36);
+    const all = new Float64Array(code.memory.buffer,
+      code.look(radii(), canvas.width, across, down), 36);
     hero.numbers = {pixel: [canvas.width, across, down], all: [...all]};  // for the tests
-    const parts = (column, step) => column < 2 ? [all[9 * column + step]] : [all[18 + 2 * step], all[19 + 2 * step]];
+    const parts = (column, step) => column < 2 ? [all[9 * column + step]] : [all[18 + 2 * step],
+      all[19 + 2 * step]];
     const met = [0, 1, 2].map((column) => Number.isFinite(parts(column, 4)[0]));
-    const squares = Math.max(0, Math.min(5, 13 - String(Math.trunc(all[0])).length));  // decimals, so that the points stand in line
+    // decimals, so that the points stand in line
+    const squares = Math.max(0, Math.min(5, 13 - String(Math.trunc(all[0])).length));
     const ahead = Math.max(0, 7 - String(Math.trunc(radii())).length);
     const cell = (column, row) => {
       if (column === 0 && row === 2 || column === 1 && row < 2) return ["—"];
@@ -107,7 +121,8 @@ const texmapCover = async (packed, earth) => {
       const steps = row < 7 ? [row] : [7, 8];
       const [u, v] = [parts(column, 5)[0], parts(column, 6)[0]];
       if (row === 7 && !(u >= 0 && u < 1 && v >= 0 && v <= 1)) return wrongly("none");
-      const places = row < 2 || row === 3 && column === 0 ? squares : row === 4 ? ahead : row === 7 ? 0 : 5;
+      const places = row < 2 || row === 3 && column === 0 ? squares : row === 4 ? ahead
+        : row === 7 ? 0 : 5;
       return steps.flatMap((step, i) => {
         const number = parts(column, step);
         if (!Number.isFinite(number[0])) return wrongly("NaN");
@@ -119,17 +134,22 @@ const texmapCover = async (packed, earth) => {
       (line.cells[column + 1] ?? line.insertCell()).replaceChildren(...cell(column, row));
     }));
     const lost = Math.floor(Math.log10(all[18] / Math.abs(all[24])));  // b² over b² - a c
-    part(".why b").textContent = lost < 1 ? "here none of them cancels" : `here ${lost < 7 ? `${lost} of the` : "all"} 7 digits cancel`;
-    table.caption.firstChild.textContent = `Point at any pixel. This is column ${across}, row ${down}.`;
-    shown.textContent = `${Number(radii().toPrecision(3)).toLocaleString("en")} ${radii() === 1 ? "radius" : "radii"}`;
+    part(".why b").textContent = lost < 1 ? "here none of them cancels"
+      : `here ${lost < 7 ? `${lost} of the` : "all"} 7 digits cancel`;
+    table.caption.firstChild.textContent =
+      `Point at any pixel. This is column ${across}, row ${down}.`;
+    shown.textContent = `${Number(radii().toPrecision(3)).toLocaleString("en")} ${radii() === 1
+      ? "radius" : "radii"}`;
     slider.setAttribute("aria-valuetext", `${shown.textContent} from the surface`);
   }
   // For screen readers, when the pixel rests.
   function tell() {
     clearTimeout(telling);
     telling = setTimeout(() => {
-      const [u, column] = [5, 7].map((row) => [...table.tBodies[0].rows[row].cells].map((one) => one.textContent));
-      said.textContent = `Pixel ${hero.numbers.pixel.slice(1).join(", ")}. u: published ${u[1]}, ours ${u[2]}, true ${u[3]}. Texel: published ${column[1]}, true ${column[3]}.`;
+      const [u, column] = [5, 7].map((row) =>
+        [...table.tBodies[0].rows[row].cells].map((one) => one.textContent));
+      said.textContent = `Pixel ${hero.numbers.pixel.slice(1).join(", ")}. u: published ${u[1]}, `
+        + `ours ${u[2]}, true ${u[3]}. Texel: published ${column[1]}, true ${column[3]}.`;
     }, 400);
   }
 
@@ -137,18 +157,22 @@ const texmapCover = async (packed, earth) => {
   function point(event) {
     const box = canvas.getBoundingClientRect();
     const inside = (share) => Math.max(0, Math.min(0.9999, share));
-    Object.assign(place, {across: inside((event.clientX - box.left) / box.width), down: inside((event.clientY - box.top) / box.height)});
+    Object.assign(place, {across: inside((event.clientX - box.left) / box.width),
+      down: inside((event.clientY - box.top) / box.height)});
     look();
   }
   canvas.addEventListener("pointermove", point);
   canvas.addEventListener("pointerdown", point);
   canvas.addEventListener("keydown", (event) => {
-    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
+      ArrowDown: [0, 1]}[event.key];
     if (!step) return;
     event.preventDefault();
     const [, across, down] = hero.numbers.pixel;
-    const moved = [across, down].map((one, i) => Math.max(0, Math.min(canvas.width - 1, one + step[i] * (event.shiftKey ? 10 : 1))));
-    Object.assign(place, {across: (moved[0] + 0.5) / canvas.width, down: (moved[1] + 0.5) / canvas.width});
+    const moved = [across, down].map((one, i) =>
+      Math.max(0, Math.min(canvas.width - 1, one + step[i] * (event.shiftKey ? 10 : 1))));
+    Object.assign(place,
+      {across: (moved[0] + 0.5) / canvas.width, down: (moved[1] + 0.5) / canvas.width});
     look();
     tell();
   });
@@ -169,5 +193,7 @@ const texmapCover = async (packed, earth) => {
   for (const one of [canvas, pin, table, slider.parentElement]) one.hidden = false;
   part("img").hidden = true;
   change();
-  new ResizeObserver(() => { if (canvas.width !== fullSize()) change(); }).observe(canvas.parentElement);
+  new ResizeObserver(() => {
+    if (canvas.width !== fullSize()) change();
+  }).observe(canvas.parentElement);
 };

@@ -1,18 +1,23 @@
-// Live pictures: a chapter's own code, as WebAssembly, draws in a worker what a form below the picture asks for.
-// Plain scripts only, and no fetch: pages are opened as files. Where a browser lacks something, the still picture stays.
+// Live pictures: a chapter's own code, as WebAssembly, draws in a worker what a form below the
+// picture asks for. Plain scripts only, and no fetch: pages are opened as files. Where a browser
+// lacks something, the still picture stays.
 "use strict";
 const texmapLive = (() => {
 
 // ---- For workers: what a script packed, and a module.
-const unpacked = (bytes) => new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
-// An instance of the module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the
-// buffer again.
+const unpacked = (bytes) =>
+  new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")))
+    .arrayBuffer();
+// An instance of the module with what a page can tell it and ask it. Its memory moves when it
+// grows, so each access takes the buffer again.
 async function open(module) {
   const imports = {};
-  for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
+  for (const {module: from, name} of WebAssembly.Module.imports(module))
+    (imports[from] ??= {})[name] = () => 0;
   const own = {
     memory: () => new Uint8Array(own.calls.memory.buffer),
-    text: (start) => new TextDecoder().decode(own.memory().slice(start, own.memory().indexOf(0, start))),
+    text: (start) =>
+      new TextDecoder().decode(own.memory().slice(start, own.memory().indexOf(0, start))),
     answer(start) {
       const text = own.text(start);
       if (text[0] === "!") throw {refusal: text.slice(1)};
@@ -44,7 +49,8 @@ async function open(module) {
 
 const ofWorkers = `const unpacked = ${unpacked};\n${open}\n`;
 
-// ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from file://.
+// ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from
+// file://.
 function worker() {
   let module, code;   // compiled; an instance that draws
   let used = "";      // the words and width that the module is set to
@@ -54,16 +60,22 @@ function worker() {
   let drawing = false;
   const channel = new MessageChannel();
   // Lets messages in: setTimeout would wait 4 ms.
-  const pause = () => new Promise((done) => { channel.port1.onmessage = done; channel.port2.postMessage(0); });
+  const pause = () => new Promise((done) => {
+    channel.port1.onmessage = done;
+    channel.port2.postMessage(0);
+  });
 
   function set(words, widest) {
     const lines = words.map((word) => word + "\n").join("");
-    if (used !== lines + widest) size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ").map(Number);
+    if (used !== lines + widest)
+      size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ")
+        .map(Number);
     used = lines + widest;
   }
-  // Draws in strips, and lets messages in between; a picture of many samples in passes, and then the picture beside it. A full picture
-  // is given up for a newer request; a small one is not, or a fast hand would see none. Of several workers each draws the same rows in
-  // all passes: one band after `parts` bands.
+  // Draws in strips, and lets messages in between; a picture of many samples in passes, and then
+  // the picture beside it. A full picture is given up for a newer request; a small one is not, or a
+  // fast hand would see none. Of several workers each draws the same rows in all passes: one band
+  // after `parts` bands.
   async function draw({id, words, widest, small, whole, part = 0, parts = 1}) {
     if (!words) return;  // this was only to give up the one before
     set(words, widest);
@@ -82,12 +94,15 @@ function worker() {
       const after = first + count, next = after % band ? after : after + (parts - 1) * band;
       const ends = next >= rows;
       const last = ends && pass === all - 1;
-      postMessage({kind: "rows", id, columns, rows, first, strip, small, part, isBeside, ends, last, pass, passes, took: performance.now() - began}, [strip.buffer]);
+      postMessage({kind: "rows", id, columns, rows, first, strip, small, part, isBeside, ends, last,
+        pass, passes, took: performance.now() - began}, [strip.buffer]);
       if (last) return;
       const took = Math.max(performance.now() - from, 0.1);
-      most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));  // 50 ms, 15 ms
+      // 50 ms, 15 ms
+      most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));
       first = next;
-      if (ends) { ++pass; first = null; most = Math.ceil(most / 2); }  // a pass takes as long as all before it
+      // a pass takes as long as all before it
+      if (ends) { ++pass; first = null; most = Math.ceil(most / 2); }
       await pause();
       if (job && !small) return;
     }
@@ -99,11 +114,13 @@ function worker() {
       return {columns, bytes: code.memory().slice(start, start + 4 * columns * rows)};
     };
     const width = Math.min(700, 350 * aspect);
-    const whole = flatUsed !== (flatUsed = `${texture} ${object}`) && flat([0, 0, 1, 1], Math.ceil(width), Math.ceil(width / aspect));
+    const whole = flatUsed !== (flatUsed = `${texture} ${object}`)
+      && flat([0, 0, 1, 1], Math.ceil(width), Math.ceil(width / aspect));
     return {whole, detail: flat(detail, 180, 180)};
   }
   const keepPixels = (name, pixels, width, height) =>
-    code.lend([name, pixels], (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
+    code.lend([name, pixels],
+      (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
   const can = {
     async load({packed}) {
       module = await WebAssembly.compile(await unpacked(packed));
@@ -112,27 +129,32 @@ function worker() {
     // An instance lives for one file: what decoding it needed is free afterwards.
     async keep({name, shown, bytes, option, isRaw}) {
       if (isRaw) {
-        code.lend([name, bytes], (text, start) => code.answer(code.calls.keep_file(text, start, bytes.length)));
+        code.lend([name, bytes],
+          (text, start) => code.answer(code.calls.keep_file(text, start, bytes.length)));
         postMessage({kind: "kept", name, bytes, shown, option, isRaw});
         return;
       }
       const loader = await open(module);
-      const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
+      const [width, height] = loader.lend([shown, bytes],
+        (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
         .split(" ").map(Number);
       const start = loader.calls.pixels();
       keepPixels(name, loader.memory().subarray(start, start + 3 * width * height), width, height);
       postMessage({kind: "kept", name, bytes, shown, option});
     },
-    drop: ({name, isRaw}) => isRaw ? code.lend([name], (text) => code.answer(code.calls.keep_file(text, 0, 0))) : keepPixels(name, new Uint8Array(3), 1, 1),
+    drop: ({name, isRaw}) => isRaw ? code.lend([name], (text) =>
+      code.answer(code.calls.keep_file(text, 0, 0))) : keepPixels(name, new Uint8Array(3), 1, 1),
     begin({chapter}) {
       used = "";
-      postMessage({kind: "options", options: JSON.parse(code.answer(code.calls.begin(Number(chapter))))});
+      postMessage({kind: "options",
+        options: JSON.parse(code.answer(code.calls.begin(Number(chapter))))});
     },
     // From a place on the picture beside to a pixel, and what that pixel meets.
     find({words, widest, x, y}) {
       set(words, widest);
       const at = JSON.parse(code.answer(code.calls.find(x, y)));
-      if (!at || at.some((place, i) => place < -0.5 || place > size[i] - 0.5)) postMessage({kind: "seen", seen: {spot: [x, y]}});
+      if (!at || at.some((place, i) => place < -0.5 || place > size[i] - 0.5))
+        postMessage({kind: "seen", seen: {spot: [x, y]}});
       else can.look({words, widest, column: Math.round(at[0]), row: Math.round(at[1])});
     },
     look({words, widest, column, row, texture}) {
@@ -157,7 +179,8 @@ function worker() {
     try {
       await act();
     } catch (error) {
-      postMessage(error.refusal ? {kind: "refused", of: kind, id, reason: error.refusal} : {kind: "lost", reason: String(error)});
+      postMessage(error.refusal ? {kind: "refused", of: kind, id, reason: error.refusal}
+        : {kind: "lost", reason: String(error)});
     }
   }
   let before = Promise.resolve();  // what others wait for
@@ -167,75 +190,108 @@ function worker() {
   };
 }
 
-// ---- Which controls there are. A chapter has those that its module offers; the choices' words come from the module, and what is told
-// below a control that a picture does not explain.
+// ---- Which controls there are. A chapter has those that its module offers; the choices' words
+// come from the module, and what is told below a control that a picture does not explain.
 const early = "01 02 03 04 05 06";
 const controls = [
-  {option: "--samples", label: "Samples", range: [1, 1024, Math.log10(2) / 30], log: true, whole: true, in: "07 12"},
+  {option: "--samples", label: "Samples", range: [1, 1024, Math.log10(2) / 30], log: true,
+    whole: true, in: "07 12"},
   {option: "--sampler", label: "Pattern"},
   {option: "--light", label: "Directions", told: "how a matte surface picks a sample's direction"},
   {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true, told: true},
   {option: "--beside", label: "Filter, left", here: (value) => `${value} left of the line`},
   {option: "--filter", label: "Filter, right", in: "09"},
   {option: "--projection", label: "Layout", told: "of the map below the picture"},
-  {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005], told: "the height of white, in radii"},
-  {option: "--lamp-around", label: "Lamp right °", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
-  {option: "--lamp-up", label: "Lamp up °", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
-  {option: "--bump", label: "Normals", told: "of the raised surface, by Blinn's formula of 1978, or the globe's own"},
+  {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005],
+    told: "the height of white, in radii"},
+  {option: "--lamp-around", label: "Lamp right °", range: [-180, 180, 1],
+    here: (value) => `the lamp at ${value}°`},
+  {option: "--lamp-up", label: "Lamp up °", range: [-90, 90, 1],
+    here: (value) => `the lamp ${value}° up`},
+  {option: "--bump", label: "Normals",
+    told: "of the raised surface, by Blinn's formula of 1978, or the globe's own"},
   {option: "--green", label: "Green is", told: "in a normal map: first open one"},
   {option: "--degrees", label: "Rotation °", range: [-180, 180, 1], turns: true},
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
-  {option: "--weights", label: "Weights", told: "from signed areas, or as in the article from the sides; the picture is the same"},
-  {option: "--wrap", label: "Wrap mode", in: "08 09", told: "what the texture shows where u or v is beyond 0 to 1"},
+  {option: "--weights", label: "Weights",
+    told: "from signed areas, or as in the article from the sides; the picture is the same"},
+  {option: "--wrap", label: "Wrap mode", in: "08 09",
+    told: "what the texture shows where u or v is beyond 0 to 1"},
   {option: "--sky", label: "Sky"},
   {option: "--defocus", label: "Lens blur", range: [0, 10, 0.1], told: "degrees; 0: all is sharp"},
-  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: "the distance from the eye; first set a lens blur"},
-  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true, told: "places along a pixel's footprint, for the last three filters; anisotropic reads up to 8 texels at each"},
+  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1],
+    told: "the distance from the eye; first set a lens blur"},
+  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true,
+    told: "places along a pixel's footprint, for the last three filters; anisotropic reads up to "
+      + "8 texels at each"},
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention", told: true},
   {option: "--rounding", label: "Rounding", told: true},
-  {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true, told: "the share of the texture; off: multiplied"},
-  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true, told: "larger: a smaller spot"},
+  {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true,
+    told: "the share of the texture; off: multiplied"},
+  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true,
+    told: "larger: a smaller spot"},
   {option: "--highlight", label: "Highlight", told: true, names: {lecture: "lecture's slides"}},
   {option: "--scene", label: "Scene", names: {lecture: "lecture's globe", book: "globe alone"}},
   {option: "--show", label: "Show"},
-  {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, told: "the picture is enlarged as much, so that rounding shows: try it in float",
-   here: (value) => `Eye distance × ${value}`},
-  {option: "--number", label: "Number type", only: ["double", "float"], more: true, in: early + " 08", told: "double keeps 16 digits, float 7"},
-  {option: "--spheres", label: "Sphere formula", more: true, in: early, told: "they differ only in float and from far away",
-   names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
+  {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true,
+    told: "the picture is enlarged as much, so that rounding shows: try it in float",
+    here: (value) => `Eye distance × ${value}`},
+  {option: "--number", label: "Number type", only: ["double", "float"], more: true,
+    in: early + " 08", told: "double keeps 16 digits, float 7"},
+  {option: "--spheres", label: "Sphere formula", more: true, in: early,
+    told: "they differ only in float and from far away",
+    names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
-  {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true, told: "surfaces that a path of light may meet"},
-  {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true, told: "how far the scene moves up during the exposure"},
+  {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true,
+    told: "surfaces that a path of light may meet"},
+  {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true,
+    told: "how far the scene moves up during the exposure"},
   {option: "--gamma", label: "Light to bytes", more: true, told: true},
-  {option: "--decode", label: "Bytes to light", more: true, told: "of the texture; raw: as they are"},
+  {option: "--decode", label: "Bytes to light", more: true,
+    told: "of the texture; raw: as they are"},
   {option: "--slopes", label: "Slopes", more: true},
 ];
-// The files that a reader may choose: what the button says and takes, and whether the module reads them itself.
+// The files that a reader may choose: what the button says and takes, and whether the module reads
+// them itself.
 const pictureFiles = "image/png,image/jpeg";
 const fileControls = [
-  {option: "--texture", button: "Open texture…", takes: pictureFiles, hint: "a PNG or JPEG; or drop it on the picture"},
-  {option: "--floor", button: "Open floor…", takes: pictureFiles, hint: "a PNG or JPEG for the floor"},
-  {option: "--mesh", button: "Open mesh…", takes: ".obj", hint: "an OBJ file with texture coordinates", isRaw: true},
-  {option: "--sky", button: "Open sky…", takes: ".hdr," + pictureFiles, hint: "a Radiance .hdr, PNG or JPEG, twice as wide as high", isRaw: true},
-  {option: "--relief-image", button: "Open heights…", takes: pictureFiles, hint: "a PNG or JPEG, twice as wide as high"},
-  {option: "--normals", button: "Open normals…", takes: pictureFiles, hint: "a normal map in place of heights"},
+  {option: "--texture", button: "Open texture…", takes: pictureFiles,
+    hint: "a PNG or JPEG; or drop it on the picture"},
+  {option: "--floor", button: "Open floor…", takes: pictureFiles,
+    hint: "a PNG or JPEG for the floor"},
+  {option: "--mesh", button: "Open mesh…", takes: ".obj",
+    hint: "an OBJ file with texture coordinates", isRaw: true},
+  {option: "--sky", button: "Open sky…", takes: ".hdr," + pictureFiles,
+    hint: "a Radiance .hdr, PNG or JPEG, twice as wide as high", isRaw: true},
+  {option: "--relief-image", button: "Open heights…", takes: pictureFiles,
+    hint: "a PNG or JPEG, twice as wide as high"},
+  {option: "--normals", button: "Open normals…", takes: pictureFiles,
+    hint: "a normal map in place of heights"},
 ];
 // Chapters whose second picture lies on the first, up to a line.
 const lies = {"09": true};
 // What else the pointer does on a chapter's picture.
 const hints = {
-  "09": (values) => `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}, which the command below draws. Drag the knob below.`,
-  "10": (values) => `Point at the globe or at the map: the place is marked on both, where it is in sight. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
+  "09": (values) =>
+    `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}, which the command `
+      + "below draws. Drag the knob below.",
+  "10": (values) =>
+    "Point at the globe or at the map: the place is marked on both, where it is in sight. The "
+      + `map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
   "11": () => "Drag on the globe to move the lamp.",
 };
 // Chapters whose picture gets better in passes: the option whose choices are compared.
 const compared = {"07": "--sampler", "12": "--light"};
-// About how much a sample is worth by each choice, where one must be taken for right; coefficients are smooth but wrong.
-const worth = {coefficients: 0, uniform: 1, cosine: 1, importance: 50, mis: 200, auto: 200, random: 1, stratified: 2, "multi-jitter": 3, sobol: 4};
-// Chapters whose full pictures up to four workers draw, each with a module and files of its own: at most 32 MiB.
+// About how much a sample is worth by each choice, where one must be taken for right; coefficients
+// are smooth but wrong.
+const worth = {coefficients: 0, uniform: 1, cosine: 1, importance: 50, mis: 200, auto: 200,
+  random: 1, stratified: 2, "multi-jitter": 3, sobol: 4};
+// Chapters whose full pictures up to four workers draw, each with a module and files of its own: at
+// most 32 MiB.
 const shared = ["07", "12"];
-// The first pixel that is explained, in parts of the picture, where it is not in the middle: 11's mountains, 12's matte sphere.
+// The first pixel that is explained, in parts of the picture, where it is not in the middle: 11's
+// mountains, 12's matte sphere.
 const firsts = {"11": [0.54, 0.19], "12": [0.34, 0.5]};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
@@ -244,30 +300,39 @@ const sizeOfOne = ["--width", "800", "--height", "600"];
 // What a page begins with in place of the chapter's preset.
 const begins = {"10": {"--projection": "cube"}};
 // What the lecture's scene presets otherwise.
-const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500", "--blend": "0.3"}};
+const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500",
+  "--blend": "0.3"}};
 const legends = {
   normal: "x as red, y as green, z as blue, each from −1 to 1",
   uv: "u as red, v as green, each from 0 to 1; gray: no (u, v)",
   object: "one color for each object",
-  "--errors": ["How far float's place in the texture is from double's: 10⁻⁵ texel or less ", element("i", {className: "live-errors"}),
-    " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts as 2048 × 1024 texels."],
+  "--errors": ["How far float's place in the texture is from double's: 10⁻⁵ texel or less ",
+    element("i", {className: "live-errors"}),
+    " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts "
+      + "as 2048 × 1024 texels."],
 };
-const widest = 800;  // columns of a picture; while the reader drags it has 96 to 480, as many as are drawn in 36 ms
-const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily", "color"]};  // nothing in 01 has (u, v); sheets are not live; color is 11's globe
+// columns of a picture; while the reader drags it has 96 to 480, as many as are drawn in 36 ms
+const widest = 800;
+// nothing in 01 has (u, v); sheets are not live; color is 11's globe
+const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily", "color"]};
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
 // ---- Small tools.
-/// True for a PNG that says so at its beginning: alpha in each pixel, or a table of transparent colors.
+/// True for a PNG that says so at its beginning: alpha in each pixel, or a table of transparent
+/// colors.
 function isTransparent(bytes) {
-  return /^.PNG[^]{21}[\x04\x06]|^.PNG[^]*tRNS/.test(new TextDecoder("latin1").decode(bytes.subarray(0, 4096)));
+  return /^.PNG[^]{21}[\x04\x06]|^.PNG[^]*tRNS/.test(new TextDecoder("latin1")
+    .decode(bytes.subarray(0, 4096)));
 }
 function element(name, properties = {}, ...children) {
   const made = document.createElement(name);
-  for (const [key, value] of Object.entries(properties)) key in made ? made[key] = value : made.setAttribute(key, value);
+  for (const [key, value] of Object.entries(properties))
+    key in made ? made[key] = value : made.setAttribute(key, value);
   made.append(...children);
   return made;
 }
-// A formula as MathML: a letter is a variable, more are a name; / is a fraction of the neighbors, {…} groups.
+// A formula as MathML: a letter is a variable, more are a name; / is a fraction of the neighbors,
+// {…} groups.
 function math(text) {
   const signs = text.match(/[a-zα-ωβ]+2?|[\d.]+|\S/gi);
   const make = (name, ...children) => {
@@ -283,16 +348,19 @@ function math(text) {
   }
   function term() {
     const sign = signs.shift();
-    let one = sign === "{" ? row("}") : sign === "√" ? make("msqrt", term()) : make(/\d/.test(sign[0]) ? "mn" : /[a-zα-ω]/i.test(sign) ? "mi" : "mo", sign);
+    let one = sign === "{" ? row("}") : sign === "√" ? make("msqrt", term())
+      : make(/\d/.test(sign[0]) ? "mn" : /[a-zα-ω]/i.test(sign) ? "mi" : "mo", sign);
     if (signs[0] === "²") one = make("msup", one, make("mn", signs.shift() && "2"));
     return signs[0] === "/" ? make("mfrac", one, signs.shift() && term()) : one;
   }
   return make("math", row());
 }
-// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them; the first says if there is a byte too many.
+// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them; the first
+// says if there is a byte too many.
 function bytesOf(text) {
   if (text < "\u3400") return Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-  const bytes = new Uint8Array(Math.floor((text.length - 1) * 15 / 8) - (text.charCodeAt(0) - 0x3400));
+  const bytes =
+    new Uint8Array(Math.floor((text.length - 1) * 15 / 8) - (text.charCodeAt(0) - 0x3400));
   for (let i = 1, at = 0, bits = 0, count = 0; i < text.length; ++i) {
     bits = bits << 15 | text.charCodeAt(i) - 0x3400;
     for (count += 15; count >= 8; bits &= (1 << count) - 1) bytes[at++] = bits >> (count -= 8);
@@ -301,10 +369,13 @@ function bytesOf(text) {
 }
 // As the shell reads it.
 const quoted = (word) => /^[\w.\/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
-const rounded = (value, digits) => String(Number(Number(value).toPrecision(digits))).replaceAll("-", "−");
+const rounded = (value, digits) => String(Number(Number(value).toPrecision(digits)))
+  .replaceAll("-", "−");
 
-// ---- What scripts hand over: modules.js and 07.js call texmapLive.modules, earth.js calls texmapLive.file.
-const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");  // none: all is in the page
+// ---- What scripts hand over: modules.js and 07.js call texmapLive.modules, earth.js calls
+// texmapLive.file.
+// none: all is in the page
+const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");
 const arrivals = new Map();
 function arrival(name) {
   if (!arrivals.has(name)) {
@@ -318,12 +389,14 @@ function fetched(name, script) {
   const one = arrival(name);
   if (folder && !one.asked) {
     one.asked = true;
-    document.head.append(element("script", {src: folder + script, onerror: () => one.refuse(new Error(`there is no ${script}`))}));
+    document.head.append(element("script",
+      {src: folder + script, onerror: () => one.refuse(new Error(`there is no ${script}`))}));
   }
   return one.promise;
 }
 
-// ---- For the pages of single chapters: a worker that answers one call after another, each by its name and what it takes.
+// ---- For the pages of single chapters: a worker that answers one call after another, each by its
+// name and what it takes.
 function answering(can) {
   let before = Promise.resolve();
   onmessage = ({data: [id, call, ...given]}) => {
@@ -354,55 +427,71 @@ function hire(worker) {
     hand.postMessage([last, ...call]);
   });
 }
-const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−") : rounded(value, 2);
+const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−")
+  : rounded(value, 2);
 function painted(canvas, pixels, width, height) {
   Object.assign(canvas, {width, height});
-  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width), 0, 0);
+  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer),
+    width), 0, 0);
 }
 
 // ---- A live picture, its form and its loupe.
 function live(main, packed) {
   // The chapter's picture: what comes after the first heading is a diagram.
   const first = main.querySelector("img"), heading = main.querySelector("h2");
-  const image = first && heading && heading.compareDocumentPosition(first) & Node.DOCUMENT_POSITION_FOLLOWING ? null : first;
-  // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above the live one.
-  const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
+  const image = first && heading
+    && heading.compareDocumentPosition(first) & Node.DOCUMENT_POSITION_FOLLOWING ? null : first;
+  // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above
+  // the live one.
+  const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1
+    ? image.parentElement : image;
   const still = always[main.dataset.live] ? null : frame;
   const canvas = element("canvas", {width: 800, height: 600, tabIndex: 0, hidden: true});
   canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", (image ? image.alt : "The chapter's picture") + ". Arrow keys show how a pixel gets its color.");
+  canvas.setAttribute("aria-label", (image ? image.alt : "The chapter's picture")
+    + ". Arrow keys show how a pixel gets its color.");
   const paper = canvas.getContext("2d", {willReadFrequently: true});
   const small = element("canvas");
   const smallPaper = small.getContext("2d", {willReadFrequently: true});
   const mark = element("div", {className: "live-mark", hidden: true});
   const zoomed = element("canvas", {width: 11, height: 11});
-  const around = element("figure", {className: "live-around"}, zoomed, element("figcaption", {textContent: "the pixels around it"}));
+  const around = element("figure", {className: "live-around"}, zoomed,
+    element("figcaption", {textContent: "the pixels around it"}));
   const facts = element("table");
   const second = element("canvas");
   const secondPaper = second.getContext("2d", {willReadFrequently: true});
   // Where two pictures lie on each other: the line between them, which a slider moves.
-  const line = element("input", {type: "range", className: "live-line", min: 0, max: 100, step: 0.1, value: 50, hidden: true,
-    ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
+  const line = element("input",
+    {type: "range", className: "live-line", min: 0, max: 100, step: 0.1, value: 50, hidden: true,
+      ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
   const secondFrame = element("div", {className: "live-second", hidden: true}, second, spot);
-  // By their presets 07 and 12 draw the still picture: it covers their noisy passes until the last one.
-  const stand = element("img", {src: image?.src || "", alt: "", className: "live-stand", hidden: true});
-  const picture = element("div", {className: "live-picture"}, canvas, ...(image ? [stand] : []), secondFrame, line, mark);
+  // By their presets 07 and 12 draw the still picture: it covers their noisy passes until the last
+  // one.
+  const stand = element("img",
+    {src: image?.src || "", alt: "", className: "live-stand", hidden: true});
+  const picture = element("div", {className: "live-picture"}, canvas, ...(image ? [stand] : []),
+    secondFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
-  const refined = element("p", {className: "live-refined", hidden: true}, refining, " ", element("span"));
+  const refined = element("p", {className: "live-refined", hidden: true}, refining, " ",
+    element("span"));
   const trace = element("figure", {className: "live-trace", hidden: true});
   const whole = element("canvas"), detail = element("canvas"), mapSays = element("figcaption");
   whole.setAttribute("role", "img");
   detail.ariaHidden = true;
   const map = element("figure", {className: "live-map"}, whole, detail, mapSays);
   const drawn = element("figure", {className: "live-map"});
-  const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, map, drawn, facts);
+  const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, map,
+    drawn, facts);
   const beside = element("div", {className: "live-beside"}, loupe);
   const legend = element("p", {className: "live-legend"});
-  const hint = "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with Shift by ten pixels), Esc closes.";
+  const hint =
+    "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with "
+      + "Shift by ten pixels), Esc closes.";
   const says = element("p", {className: "live-says"});
   says.setAttribute("role", "status");
-  const again = element("button", {type: "button", textContent: "Try again", hidden: true, onclick: () => { startOver(); start(); }});
+  const again = element("button", {type: "button", textContent: "Try again", hidden: true,
+    onclick: () => { startOver(); start(); }});
   const rows = element("div", {className: "live-rows"});
   const moreRows = element("div", {className: "live-rows"});
   const more = element("details", {}, element("summary", {textContent: "More"}), moreRows);
@@ -410,13 +499,18 @@ function live(main, packed) {
   const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
   const hereOnly = element("span");
   const openers = element("span", {className: "live-openers"});
-  const save = element("button", {type: "button", textContent: "Save the map", onclick: () => second.toBlob((blob) =>
-    element("a", {href: URL.createObjectURL(blob), download: `${values["--projection"]}.png`}).click())});
-  const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
-    element("div", {className: "live-actions"}, openers, save, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
+  const save = element("button",
+    {type: "button", textContent: "Save the map", onclick: () => second.toBlob((blob) =>
+      element("a",
+        {href: URL.createObjectURL(blob), download: `${values["--projection"]}.png`}).click())});
+  const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}),
+    rows, more,
+    element("div", {className: "live-actions"}, openers, save, element("button",
+      {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live", hidden: true}, picture, beside, refined, legend, says, again, form, trace);
+  const section = element("section", {className: "live", hidden: true}, picture, beside, refined,
+    legend, says, again, form, trace);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
   const above = frame || main.querySelector(".head");
@@ -424,17 +518,21 @@ function live(main, packed) {
   main.querySelector(".live-missing")?.remove();
 
   let hand = null;                     // the worker
-  let others = null, due = 0;          // more of them for full pictures, null: none were needed yet; how many still draw the latest one
+  // more of them for full pictures, null: none were needed yet; how many still draw the latest one
+  let others = null, due = 0;
   let chapter = main.dataset.live;
   let built = "";                      // the chapter whose form is there
   let presets = {}, values = {}, widgets = {};
-  let ownFiles = [];                   // the options that take the reader's files, those of `fileControls`
+  // the options that take the reader's files, those of `fileControls`
+  let ownFiles = [];
   let carried = {};                    // what the reader chose in chapters before this one
   const files = new Map();             // what the module was given, for a new worker
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
-  let newest = {}, opened = 0;         // the names of the files that the reader chose last; how many there were
-  let undo = null;                     // an option's value before the newest, a file or a typed number that the chapter has not read yet
+  // the names of the files that the reader chose last; how many there were
+  let newest = {}, opened = 0;
+  // an option's value before the newest, a file or a typed number that the chapter has not read yet
+  let undo = null;
   let example = null;                  // whether the page chose the pixel; null: not yet
   let patience = 0, idle = 0, full = null;
   let draft = 240;                     // columns while the reader drags
@@ -461,8 +559,8 @@ function live(main, packed) {
     hand.onerror = (event) => lost(event.message);
     begin();
   }
-  // More workers, once a picture takes long. They help from when they have answered. If one fails, the first draws alone from then on; if
-  // one refuses the words, until a picture takes long again.
+  // More workers, once a picture takes long. They help from when they have answered. If one fails,
+  // the first draws alone from then on; if one refuses the words, until a picture takes long again.
   function engageOthers() {
     if (others || !shared.includes(chapter)) return;
     for (others = []; others.length + 1 < Math.min(4, navigator.hardwareConcurrency - 1);) {
@@ -470,8 +568,11 @@ function live(main, packed) {
       others.push(other);
       other.onmessage = ({data}) => {
         if (data.kind === "seen") other.isReady = true;
-        else if (data.kind === "rows") { heard.rows(data); wait(); }
-        else if (data.kind === "lost" || data.id === latest) dismiss(data.kind === "lost" ? [] : null);
+        else if (data.kind === "rows") {
+          heard.rows(data);
+          wait();
+        } else if (data.kind === "lost") dismiss([]);
+        else if (data.id === latest) dismiss(null);
       };
       other.onerror = () => dismiss([]);
       other.postMessage({kind: "begin", chapter});
@@ -491,14 +592,16 @@ function live(main, packed) {
   function send(message) {
     if (!hand) return;
     hand.postMessage(message);
-    if (message.kind === "keep" || message.kind === "drop") others?.forEach((other) => other.postMessage(message));
+    if (message.kind === "keep" || message.kind === "drop")
+      others?.forEach((other) => other.postMessage(message));
     if (!patience) wait();
   }
   // A worker that owes an answer has 30 s for it; in the tests' pages less.
   const allowed = Number(main.dataset.patience || 30);
   function wait() {
     clearTimeout(patience);
-    patience = hand && (unfinished || looking) ? setTimeout(() => others?.length ? dismiss([]) : lost(`no answer for ${allowed} s`), 1000 * allowed) : 0;
+    patience = hand && (unfinished || looking) ? setTimeout(() => others?.length ? dismiss([])
+      : lost(`no answer for ${allowed} s`), 1000 * allowed) : 0;
   }
   function say(words, isFault = true) {
     says.textContent = words;
@@ -539,11 +642,13 @@ function live(main, packed) {
       if (built !== chapter) { build(found); carryOver(); }
       change();
     },
-    rows({id, columns, rows, first, strip, small: isSmall, part, isBeside, ends, last, pass, passes, took}) {
+    rows({id, columns, rows, first, strip, small: isSmall, part, isBeside, ends, last, pass, passes,
+      took}) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
       if (isBeside) {
         if (!isSmall && id !== latest) return;
-        if (first === 0 && (second.width !== columns || second.height !== rows)) Object.assign(second, {width: columns, height: rows});
+        if (first === 0 && (second.width !== columns || second.height !== rows))
+          Object.assign(second, {width: columns, height: rows});
         secondPaper.putImageData(data, 0, first);
         secondFrame.hidden = false;
         line.hidden = !lies[chapter];
@@ -556,7 +661,8 @@ function live(main, packed) {
         paper.putImageData(data, 0, first);
         if (ends) full = [columns, rows];
         if (took > 300) engageOthers();
-        if (passes > 1 && part === 0) showProgress(pass, passes, ends ? 1 : (first + data.height) / rows);
+        if (passes > 1 && part === 0)
+          showProgress(pass, passes, ends ? 1 : (first + data.height) / rows);
         else if (passes === 1) refined.hidden = trace.hidden = true;
       } else if (id === tracing) {
         if (first === 0) traced = new Uint8ClampedArray(4 * columns * rows);
@@ -564,7 +670,9 @@ function live(main, packed) {
         if (last) addPoint();
       }
       // A whole multiple of 16 keeps the shape; halfway there, since a first picture is slow.
-      if (last && isSmall) draft = Math.max(96, Math.min(480, 16 * Math.round((draft + draft * Math.sqrt(36 / took)) / 32)));
+      if (last && isSmall)
+        draft = Math.max(96,
+          Math.min(480, 16 * Math.round((draft + draft * Math.sqrt(36 / took)) / 32)));
       if (!last || id !== latest || --due) return;
       unfinished = false;
       if (isSmall) return;
@@ -573,11 +681,15 @@ function live(main, packed) {
       stand.hidden = true;
       section.dataset.state = "done";
       save.disabled = false;
-      // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
+      // Until the reader points, a pixel of the middle sphere is the example, where the loupe
+      // covers nothing.
       if (example === null) {
-        example = matchMedia("(min-width: 52rem)").matches && !main.querySelector("[name=live-chapter]");
+        example = matchMedia("(min-width: 52rem)").matches
+          && !main.querySelector("[name=live-chapter]");
         const [right, down] = firsts[chapter] || [0.53, 0.46];
-        if (example) pixel ??= {column: Math.floor(right * canvas.width), row: Math.floor(down * canvas.height)};
+        if (example)
+          pixel ??= {column: Math.floor(right * canvas.width),
+            row: Math.floor(down * canvas.height)};
       }
       if (pixel?.column !== undefined) look(pixel);
       if (passes > 1) beginCurve();
@@ -597,7 +709,8 @@ function live(main, packed) {
       unfinished = false;
       for (const [name, {shown}] of files) reason = reason.replaceAll(name, shown);
       const wrong = Object.keys(widgets).find((one) => reason.startsWith(`${one} takes `));
-      if (wrong && wrong !== undo?.option) undo = {option: wrong, before: preset(wrong)};  // two were changed at once
+      // two were changed at once
+      if (wrong && wrong !== undo?.option) undo = {option: wrong, before: preset(wrong)};
       if (undo) {
         files.delete(values[undo.option]);
         values[undo.option] = undo.before;
@@ -611,8 +724,10 @@ function live(main, packed) {
     },
     kept({name, shown, bytes, option, isRaw}) {
       if (!option || files.has(name)) return;  // one of the chapter's, or given again
-      if (newest[option] !== name) { send({kind: "drop", name, isRaw}); return; }  // the reader has chosen another since, or none
-      undo = {option, before: values[option]};  // what is wrong in it may show only when it is drawn
+      // the reader has chosen another since, or none
+      if (newest[option] !== name) { send({kind: "drop", name, isRaw}); return; }
+      // what is wrong in it may show only when it is drawn
+      undo = {option, before: values[option]};
       forgetFiles(option, values[option]);
       files.set(name, {shown, bytes, option, isRaw});
       values[option] = name;
@@ -647,8 +762,9 @@ function live(main, packed) {
     refined.lastChild.textContent = `${share < 1 ? before : after} of ${most} samples`;
     refined.hidden = false;
   }
-  // The error against samples. A pattern is one only as a whole, so that each point is a picture of its own, as the program draws it;
-  // they are drawn once the picture is there. Curves of the same scene by other choices stay.
+  // The error against samples. A pattern is one only as a whole, so that each point is a picture of
+  // its own, as the program draws it; they are drawn once the picture is there. Curves of the same
+  // scene by other choices stay.
   const curves = new Map();
   let curvesOf = "", growing, tracing, traced;
   const rms = (a, b) => {
@@ -658,7 +774,9 @@ function live(main, packed) {
   };
   function beginCurve() {
     const by = compared[chapter];
-    const scene = JSON.stringify([canvas.width, given().map(({words}) => words).filter(([option]) => ![by, "--samples", "--seed"].includes(option))]);
+    const scene = JSON.stringify([canvas.width,
+      given().map(({words}) => words)
+        .filter(([option]) => ![by, "--samples", "--seed"].includes(option))]);
     if (scene !== curvesOf) curves.clear();
     curvesOf = scene;
     const picture = paper.getImageData(0, 0, canvas.width, canvas.height).data;
@@ -670,46 +788,71 @@ function live(main, packed) {
     if (!(curves.get(name)?.points.length > points.length)) curves.set(name, growing);
     drawCurves(name);
     tracing = `${latest}, ${samples} samples`;
-    if (samples < points.at(-1).samples) send({kind: "draw", id: tracing, words: words(samples), widest, whole: true});
+    if (samples < points.at(-1).samples)
+      send({kind: "draw", id: tracing, words: words(samples), widest, whole: true});
   }
   function addPoint() {
     growing.points.splice(-1, 0, {samples: 4 ** (growing.points.length - 1), picture: traced});
     nextPoint();
   }
   function drawCurves(chosen) {
-    const all = [...curves.values()], score = ({name, points}) => worth[name] * points.at(-1).samples;
+    const all = [...curves.values()],
+      score = ({name, points}) => worth[name] * points.at(-1).samples;
     const best = all.reduce((a, b) => score(b) > score(a) ? b : a), right = best.points.at(-1);
     const log = Math.log2;
     const errorOf = (point) => {
-      if (point.to !== right) Object.assign(point, {to: right, error: rms(point.picture, right.picture)});
+      if (point.to !== right)
+        Object.assign(point, {to: right, error: rms(point.picture, right.picture)});
       return point.error;
     };
     const lists = all.map(({name, points}) => {
-      // Of that choice, or one that draws the same, up to a quarter of the samples: closer, both would err alike.
+      // Of that choice, or one that draws the same, up to a quarter of the samples: closer, both
+      // would err alike.
       const share = errorOf(points.at(-1)) === 0 ? 4 : 1;
-      const list = points.filter(({samples}) => share * samples <= right.samples).map((point) => [point.samples, errorOf(point)]);
+      const list = points.filter(({samples}) => share * samples <= right.samples)
+        .map((point) => [point.samples, errorOf(point)]);
       const mean = (of) => list.reduce((sum, one) => sum + of(one), 0) / list.length;
       const x = mean(([n]) => log(n)), y = mean(([, error]) => log(error));
-      return {name, list, slope: mean(([n, error]) => (log(n) - x) * (log(error) - y)) / mean(([n]) => (log(n) - x) ** 2)};
-    }).filter(({list}) => list.length > 1).sort((a) => a.name === chosen ? 1 : -1);  // the chosen one on top
+      return {name, list,
+        slope: mean(([n, error]) => (log(n) - x) * (log(error) - y)) / mean(([n]) =>
+          (log(n) - x) ** 2)};
+    // the chosen one on top
+    }).filter(({list}) => list.length > 1).sort((a) => a.name === chosen ? 1 : -1);
     trace.hidden = !lists.length;
     if (trace.hidden) return;
     const errors = lists.flatMap(({list}) => list.map(([, error]) => log(error)));
-    const low = Math.floor(Math.min(...errors)), high = Math.max(low + 1, Math.ceil(Math.max(...errors))), wide = Math.ceil(log(right.samples));
-    const at = (n) => 34 + 190 * log(n) / wide, down = (error) => 150 - 140 * (log(error) - low) / (high - low);
+    const low = Math.floor(Math.min(...errors)), high = Math.max(low + 1,
+        Math.ceil(Math.max(...errors))), wide = Math.ceil(log(right.samples));
+    const at = (n) => 34 + 190 * log(n) / wide,
+      down = (error) => 150 - 140 * (log(error) - low) / (high - low);
     const ticks = (from, to) => Array.from({length: to - from + 1}, (_, i) => 2 ** (from + i));
     const ends = lists.map(({list}) => down(list.at(-1)[1]) + 4);
     const order = ends.map((_, i) => i).sort((a, b) => ends[a] - ends[b]);
-    order.forEach((i, k) => { if (k) ends[i] = Math.max(ends[i], ends[order[k - 1]] + 13); });  // names do not overlap
-    trace.innerHTML = `<svg viewBox="0 -16 320 201" role="img"><text x="34" y="-2">error</text><path class="live-grid" d="${ticks(low, high).map((error) => `M34 ${down(error)}H224`).join("")}${
-      ticks(0, wide).map((n) => `M${at(n)} 10V150`).join("")}"/>${
-      ticks(low, high).map((error) => `<text x="29" y="${down(error) + 4}" text-anchor="end">${rounded(error, 3)}</text>`).join("")}${
-      ticks(0, wide).filter((n) => log(n) % 2 === 0).map((n) => `<text x="${at(n)}" y="165" text-anchor="middle">${n}</text>`).join("")}<text x="129" y="181" text-anchor="middle">samples</text>${
-      lists.map(({name, list}, i) => `<g${name === chosen ? ' class="chosen"' : ""}><path d="M${list.map(([n, error]) => `${at(n)} ${down(error)}`).join("L")}"/>${
-        list.map(([n, error]) => `<circle cx="${at(n)}" cy="${down(error)}" r="3"/>`).join("")}<text x="232" y="${ends[i]}">${name}</text></g>`).join("")}</svg>`;
-    trace.firstChild.ariaLabel = lists.map(({name, list}) => `Error by ${name}: ${list.map(([n, error]) => `${rounded(error, 3)} at ${n}`).join(", ")}`).join(". ");
-    trace.append(element("figcaption", {}, `Error of the picture of 1, 4, 16, … samples: root mean square of its bytes, 0 to 255, against the picture of ${right.samples} samples by ${best.name}, which has an error of its own.`,
-      ...lists.reverse().map(({name, slope}) => element("div", {textContent: `${name}: with 4 times as many samples the error is ${rounded(4 ** slope, 2)} times as large; slope ${rounded(slope.toFixed(2), 3)}`}))));
+    // names do not overlap
+    order.forEach((i, k) => { if (k) ends[i] = Math.max(ends[i], ends[order[k - 1]] + 13); });
+    trace.innerHTML = `<svg viewBox="0 -16 320 201" role="img"><text x="34" y="-2">error</text>`
+      + `<path class="live-grid" d="${
+        ticks(low, high).map((error) => `M34 ${down(error)}H224`).join("")}${
+        ticks(0, wide).map((n) => `M${at(n)} 10V150`).join("")}"/>${
+        ticks(low, high).map((error) => `<text x="29" y="${down(error) + 4}" `
+        + `text-anchor="end">${rounded(error, 3)}</text>`).join("")}${
+        ticks(0, wide).filter((n) => log(n) % 2 === 0).map((n) => `<text x="${at(n)}" y="165" `
+        + `text-anchor="middle">${n}</text>`).join("")}`
+      + `<text x="129" y="181" text-anchor="middle">samples</text>${
+        lists.map(({name, list}, i) => `<g${name === chosen ? ' class="chosen"' : ""}><path d="M${
+          list.map(([n, error]) => `${at(n)} ${down(error)}`).join("L")}"/>${
+          list.map(([n, error]) => `<circle cx="${at(n)}" cy="${down(error)}" r="3"/>`)
+            .join("")}<text x="232" y="${ends[i]}">${name}</text></g>`).join("")}</svg>`;
+    trace.firstChild.ariaLabel = lists.map(({name, list}) =>
+      `Error by ${name}: ${list.map(([n, error]) => `${rounded(error, 3)} at ${n}`).join(", ")}`)
+      .join(". ");
+    trace.append(element("figcaption", {},
+      "Error of the picture of 1, 4, 16, … samples: root mean square of its bytes, 0 to 255, "
+        + `against the picture of ${right.samples} samples by ${best.name}, which has an error `
+        + "of its own.",
+      ...lists.reverse().map(({name, slope}) => element("div",
+        {textContent: `${name}: with 4 times as many samples the error is ${rounded(4 ** slope,
+          2)} times as large; slope ${rounded(slope.toFixed(2), 3)}`}))));
   }
   function moveLine() {
     secondFrame.style.setProperty("--line", `${line.value}%`);
@@ -734,7 +877,8 @@ function live(main, packed) {
     if (isSmall) small.dataset.words = JSON.stringify(asked);
     const helpers = isSmall ? [] : (others || []).filter((one) => one.isReady);
     due = 1 + helpers.length;
-    const message = {kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest, small: isSmall, parts: due};
+    const message = {kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest,
+      small: isSmall, parts: due};
     for (const one of others || []) one.postMessage({kind: "draw"});  // gives up what it draws
     helpers.forEach((one, i) => one.postMessage({...message, part: i + 1}));
     send(message);
@@ -743,25 +887,31 @@ function live(main, packed) {
   // -- The options.
   const preset = (option) => sceneSets[values["--scene"]]?.[option] ?? presets[option];
   const plainView = () => ["color", "globe", undefined].includes(values["--show"]);
-  // Only what differs from the presets. A small picture takes one ray per pixel, or two samples; so do normals and objects, of which
-  // there is no mean.
+  // Only what differs from the presets. A small picture takes one ray per pixel, or two samples; so
+  // do normals and objects, of which there is no mean.
   function given(samples) {
     const list = [];
     for (const [option, {here}] of Object.entries(widgets)) {
       const value = values[option];
       if (value === "" || (value === preset(option) && always[chapter] !== option)) continue;
       if (option === "--samples" && (samples || !plainView())) continue;
-      list.push(value === "--errors" ? {words: [value], here: () => "errors in texels"} : {words: [option, value], here});
+      list.push(value === "--errors" ? {words: [value], here: () => "errors in texels"}
+        : {words: [option, value], here});
     }
-    for (const {option} of ownFiles) if (values[option] !== presets[option]) list.push({words: [option, values[option]]});
+    for (const {option} of ownFiles) if (values[option] !== presets[option])
+      list.push({words: [option, values[option]]});
     return list;
   }
-  const words = (samples) => [...(always[chapter] ? sizeOfOne : []), ...given(samples).flatMap((one) => one.words),
+  const words = (samples) => [...(always[chapter] ? sizeOfOne : []),
+    ...given(samples).flatMap((one) => one.words),
     ...(samples && compared[chapter] ? ["--samples", String(samples)] : [])];
   function reset() {
     stopTurning();
     values = {...presets, ...begins[chapter]};
-    for (const [option, {first, fault}] of Object.entries(widgets)) { values[option] ||= first; fault?.replaceChildren(); }
+    for (const [option, {first, fault}] of Object.entries(widgets)) {
+      values[option] ||= first;
+      fault?.replaceChildren();
+    }
   }
   function startOver() {
     carried = {};
@@ -774,13 +924,19 @@ function live(main, packed) {
     values[option] = value;
     widgets[option].fault?.replaceChildren();
     if (option === "--scene") {  // what stands at the old scene's preset goes to the new one's
-      for (const one of Object.keys(widgets)) if (one !== option && (values[one] || "") === (before[one] || "")) values[one] = preset(one);
+      for (const one of Object.keys(widgets))
+        if (one !== option && (values[one] || "") === (before[one] || ""))
+          values[one] = preset(one);
     }
     change();
   }
   function refresh() {
-    for (const [option, widget] of Object.entries(widgets)) widget.show(values[option], preset(option));
-    const off = (option, isOff) => { for (const one of widgets[option]?.row.querySelectorAll("input, select") || []) one.disabled = isOff; };
+    for (const [option, widget] of Object.entries(widgets))
+      widget.show(values[option], preset(option));
+    const off = (option, isOff) => {
+      for (const one of widgets[option]?.row.querySelectorAll("input, select")
+        || []) one.disabled = isOff;
+    };
     off("--samples", !plainView());
     off("--number", values["--show"] === "--errors");
     off("--focus", Number(values["--defocus"]) === 0);
@@ -788,17 +944,22 @@ function live(main, packed) {
     off("--squares", values["--scene"] === "lecture");
     const all = given();
     const native = all.filter((one) => !one.here).flatMap((one) => one.words);
-    const typed = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))];
-    command.replaceChildren(...typed.flatMap((word, i) => [i ? " " : "", element("span", {textContent: word})]));
+    const typed = ["./course run", chapter,
+      ...native.map((word) => quoted(files.get(word)?.shown || word))];
+    command.replaceChildren(...typed.flatMap((word, i) =>
+      [i ? " " : "", element("span", {textContent: word})]));
     copy.textContent = "Copy";
     for (const {option, opened, hint} of ownFiles) {
       const own = values[option] !== presets[option] && files.get(values[option]);
-      opened.textContent = own ? own.shown + (isTransparent(own.bytes) ? ", as if it were opaque: a surface here has no transparency" : "") : hint;
+      opened.textContent = own ? own.shown + (isTransparent(own.bytes)
+        ? ", as if it were opaque: a surface here has no transparency" : "") : hint;
     }
     hereOnly.textContent = all.some((one) => one.here)
-      ? `The command draws the picture without what only this page can do: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.`
+      ? `The command draws the picture without what only this page can do: ${all.filter((one) =>
+        one.here).map((one) => one.here(one.words[1])).join("; ")}.`
       : main.dataset.note || "";
-    legend.replaceChildren(...[legends[values["--show"]] || [hints[chapter]?.(values), hint].filter(Boolean).join(" ")].flat());
+    legend.replaceChildren(...[legends[values["--show"]]
+      || [hints[chapter]?.(values), hint].filter(Boolean).join(" ")].flat());
   }
   async function copyCommand() {
     try {
@@ -821,18 +982,23 @@ function live(main, packed) {
     presets = Object.fromEntries(Object.values(found).map(({name, preset}) => [name, preset]));
     for (const control of controls) {
       const option = found[control.option];
-      if (!option || option.words.startsWith("FILE") || control.option in widgets || control.in?.includes(chapter) === false) continue;
+      if (!option || option.words.startsWith("FILE") || control.option in widgets
+        || control.in?.includes(chapter) === false) continue;
       if (control.off) presets[control.option] = "";
-      const widget = control.range ? slider(control, option) : choice(control, option, "--errors" in found);
+      const widget = control.range ? slider(control, option) : choice(control, option,
+        "--errors" in found);
       if (!widget) continue;
       widgets[control.option] = Object.assign(widget, {here: control.here});
       (control.more ? moreRows : rows).append(widget.row);
     }
     more.hidden = !moreRows.children.length;
-    ownFiles = fileControls.filter(({option}) => found[option]?.words === "FILE").map((one) => ({...one, opened: element("span")}));
+    ownFiles = fileControls.filter(({option}) => found[option]?.words === "FILE")
+      .map((one) => ({...one, opened: element("span")}));
     openers.replaceChildren(...ownFiles.map(({option, button, takes, opened}) => {
-      const choose = element("input", {type: "file", accept: takes, onchange: () => { openFile(choose.files[0], option); choose.value = ""; }});
-      return element("span", {className: "live-open"}, element("label", {className: "live-button"}, button, choose), " ", opened);
+      const choose = element("input", {type: "file", accept: takes,
+        onchange: () => { openFile(choose.files[0], option); choose.value = ""; }});
+      return element("span", {className: "live-open"},
+        element("label", {className: "live-button"}, button, choose), " ", opened);
     }));
     openers.hidden = !ownFiles.length;
     refined.hidden = trace.hidden = secondFrame.hidden = line.hidden = true;
@@ -843,26 +1009,37 @@ function live(main, packed) {
     reset();
   }
   const rowOf = ({label, told}, about, id, ...fields) => element("div", {title: about},
-    element("label", {htmlFor: id, textContent: label}), ...fields.filter(Boolean), ...(told ? [element("small", {textContent: told === true ? about : told})] : []));
+    element("label", {htmlFor: id, textContent: label}), ...fields.filter(Boolean),
+    ...(told ? [element("small", {textContent: told === true ? about : told})] : []));
   function slider(control, {preset: first, help: about}) {
     const {option, label, range: [least, most, step], log, whole, off, turns} = control;
     const id = "live" + option;
     const to = (value) => log ? Math.log10(value) : value;
-    const from = (x) => String(!log ? x : whole ? Math.round(10 ** x) : Number((10 ** x).toPrecision(3)));
-    const moved = (value) => { stopTurning(); undo = {option, before: values[option]}; put(option, value); };
-    const field = element("input", {type: "range", id, min: to(least), max: to(most), step, value: to(first),
-      oninput: () => moved(from(field.value))});
-    // Any number that the chapter takes, also beyond the slider's ends. What it refuses is said here, and the number before stays.
+    const from = (x) =>
+      String(!log ? x : whole ? Math.round(10 ** x) : Number((10 ** x).toPrecision(3)));
+    const moved = (value) => {
+      stopTurning(); undo = {option, before: values[option]};
+      put(option, value);
+    };
+    const field = element("input",
+      {type: "range", id, min: to(least), max: to(most), step, value: to(first),
+        oninput: () => moved(from(field.value))});
+    // Any number that the chapter takes, also beyond the slider's ends. What it refuses is said
+    // here, and the number before stays.
     const fault = element("small", {className: "live-fault", role: "alert"});
     const typed = element("input", {type: "number", step: "any", ariaLabel: `${label}, as a number`,
-      onchange: () => Number.isFinite(typed.valueAsNumber) ? moved(String(typed.valueAsNumber)) : refresh()});
-    const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`, onchange: () => put(option, box.checked ? from(field.value) : "")});
-    const play = turns && element("button", {type: "button", className: "live-turn", textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
+      onchange: () => Number.isFinite(typed.valueAsNumber) ? moved(String(typed.valueAsNumber))
+        : refresh()});
+    const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`,
+      onchange: () => put(option, box.checked ? from(field.value) : "")});
+    const play = turns && element("button", {type: "button", className: "live-turn",
+      textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
     return {
       row: rowOf(control, about, id, box, field, typed, play, fault),
       field, play, fault, first: "", takes: () => true,
       show(value, preset) {
-        if (box) Object.assign(box, {checked: value !== "", disabled: !!preset, title: preset ? "this scene always blends" : ""});
+        if (box) Object.assign(box, {checked: value !== "", disabled: !!preset,
+          title: preset ? "this scene always blends" : ""});
         field.disabled = typed.disabled = !!box && value === "";
         if (value !== "") field.value = to(value);
         typed.value = value;
@@ -874,21 +1051,26 @@ function live(main, packed) {
     const {option, only, names: own = {}} = control;
     const id = "live" + option;
     const words = (only && !offered.includes("|") ? only
-      : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])].filter((word) => !only || only.includes(word)))
+      : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])]
+        .filter((word) => !only || only.includes(word)))
       .filter((word) => option !== "--show" || !lacks[chapter]?.includes(word));
     if (words.length < 2) return null;
     const field = element("select", {id, onchange: () => put(option, field.value)},
-      ...words.map((value) => element("option", {value, textContent: own[value] || names[value] || value})));
+      ...words.map((value) =>
+        element("option", {value, textContent: own[value] || names[value] || value})));
     return {row: rowOf(control, help, id, field), field, first: words[0],
       takes: (value) => words.includes(value), show(value) { field.value = value; }};
   }
   // What the reader chose in another chapter stays chosen where this one offers it.
   function carryOver() {
     for (const option of ["--scene", ...Object.keys(widgets)]) {
-      if (option in carried && widgets[option]?.takes(carried[option])) values[option] = carried[option];
-      else if (widgets[option] && values["--scene"] !== presets["--scene"]) values[option] = preset(option) || widgets[option].first;
+      if (option in carried && widgets[option]?.takes(carried[option]))
+        values[option] = carried[option];
+      else if (widgets[option] && values["--scene"] !== presets["--scene"]) values[option] =
+        preset(option) || widgets[option].first;
     }
-    for (const {option} of ownFiles) if (files.has(carried[option])) values[option] = carried[option];
+    for (const {option} of ownFiles) if (files.has(carried[option]))
+      values[option] = carried[option];
   }
   function remember() {
     for (const option of Object.keys(widgets)) {
@@ -916,12 +1098,14 @@ function live(main, packed) {
   }
   document.addEventListener("visibilitychange", () => { if (document.hidden) stopTurning(); });
 
-  // -- The reader's own file. It is read under another name than the one before, which stays if the new one is refused.
+  // -- The reader's own file. It is read under another name than the one before, which stays if the
+  // new one is refused.
   async function openFile(file, option) {
     const {isRaw} = ownFiles.find((one) => one.option === option) || {};
     if (!file || !option || !hand) return;
     if (file.size > largestFile) {
-      say(`${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`);
+      say(`${file.name} has ${Math.ceil(
+        file.size / (1 << 20))} MiB, more than the 64 that are allowed.`);
       return;
     }
     const name = newest[option] = `own_${++opened}${option}`;
@@ -950,14 +1134,16 @@ function live(main, packed) {
     event.preventDefault();
     const file = event.dataTransfer.files[0];
     const ending = /\.\w+$/.exec(file?.name)?.[0].toLowerCase();
-    openFile(file, (ownFiles.find(({takes}) => ending && takes.startsWith(ending)) || ownFiles[0])?.option);
+    openFile(file,
+      (ownFiles.find(({takes}) => ending && takes.startsWith(ending)) || ownFiles[0])?.option);
   });
 
   // -- The loupe: a pixel, and each number between its ray and its color.
   function place(event) {
     const box = canvas.getBoundingClientRect();
     const inside = (share, n) => Math.max(0, Math.min(n - 1, Math.floor(share * n)));
-    return full && {column: inside((event.clientX - box.left) / box.width, full[0]), row: inside((event.clientY - box.top) / box.height, full[1])};
+    return full && {column: inside((event.clientX - box.left) / box.width, full[0]),
+      row: inside((event.clientY - box.top) / box.height, full[1])};
   }
   function look(where) {
     if (!where || !full || !hand) return;
@@ -965,13 +1151,16 @@ function live(main, packed) {
     if (looking) { nextLook = where; return; }
     nextLook = null;
     looking = where;
-    const texture = ["--scene", "--squares", "--convention", "--rounding", "--texture"].map((one) => values[one]).join();
-    send({kind: where.column === undefined ? "find" : "look", words: words(), widest, texture, ...where});
+    const texture = ["--scene", "--squares", "--convention", "--rounding",
+      "--texture"].map((one) => values[one]).join();
+    send({kind: where.column === undefined ? "find" : "look", words: words(), widest, texture,
+      ...where});
   }
   // A place on the picture beside: the answer has its pixel.
   function findFrom(event) {
     const box = second.getBoundingClientRect();
-    if (!lies[chapter] && !pinned) look({x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
+    if (!lies[chapter] && !pinned)
+      look({x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
   }
   function showSpot(at) {
     spot.hidden = !at;
@@ -979,22 +1168,32 @@ function live(main, packed) {
   }
   second.addEventListener("pointermove", findFrom);
   second.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
-  // A finger does not move before it leaves: its tap finds the place, and holds it as a click on the picture does.
-  second.addEventListener("click", (event) => { const holds = !pinned || event.pointerType !== "mouse"; pinned = example = false; findFrom(event); pinned = holds && !!pixel; });
-  // The lamp shines from where the pointer drags it: the picture is half of a ball around the globe.
+  // A finger does not move before it leaves: its tap finds the place, and holds it as a click on
+  // the picture does.
+  second.addEventListener("click",
+    (event) => {
+      const holds = !pinned || event.pointerType !== "mouse"; pinned = example = false;
+      findFrom(event); pinned = holds && !!pixel;
+    });
+  // The lamp shines from where the pointer drags it: the picture is half of a ball around the
+  // globe.
   function dragLamp(event) {
     if (!("--lamp-up" in widgets) || !event.buttons) return;
     if (!dragged) closeLoupe();
     const box = canvas.getBoundingClientRect();
     const at = (share) => Math.max(-1, Math.min(1, 2 * share - 1));
-    const x = at((event.clientX - box.left) / box.width), y = -at((event.clientY - box.top) / box.height);
+    const x = at((event.clientX - box.left) / box.width),
+      y = -at((event.clientY - box.top) / box.height);
     const degrees = (radians) => String(Math.round(radians * 180 / Math.PI));
     values["--lamp-around"] = degrees(Math.atan2(x, Math.sqrt(Math.max(0, 1 - x * x - y * y))));
     put("--lamp-up", degrees(Math.asin(y)));
     dragged = true;
   }
   let dragged = false;
-  canvas.addEventListener("pointerdown", (event) => { dragged = false; if ("--lamp-up" in widgets) canvas.setPointerCapture(event.pointerId); });
+  canvas.addEventListener("pointerdown", (event) => {
+    dragged = false;
+    if ("--lamp-up" in widgets) canvas.setPointerCapture(event.pointerId);
+  });
   canvas.addEventListener("pointermove", dragLamp);
   function closeLoupe() {
     spot.hidden = true;
@@ -1002,15 +1201,27 @@ function live(main, packed) {
     pinned = example = false;
     loupe.hidden = mark.hidden = true;  // its room stays: nothing below moves
   }
-  canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) { example = false; look(place(event)); } });
+  canvas.addEventListener("pointermove",
+    (event) => {
+      if (!pinned && event.pointerType === "mouse" && !event.buttons) {
+        example = false;
+        look(place(event));
+      }
+    });
   canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
-  canvas.addEventListener("click", (event) => { if (dragged) return; pinned = !pinned || event.pointerType !== "mouse"; example = false; look(place(event)); });
-  canvas.addEventListener("blur", ({relatedTarget}) => { if (pinned && !section.contains(relatedTarget)) closeLoupe(); });
+  canvas.addEventListener("click", (event) => {
+    if (dragged) return;
+    pinned = !pinned || event.pointerType !== "mouse"; example = false; look(place(event));
+  });
+  canvas.addEventListener("blur",
+    ({relatedTarget}) => { if (pinned && !section.contains(relatedTarget)) closeLoupe(); });
   loupe.addEventListener("click", closeLoupe);
   // While the loupe is open, arrow keys are its own, wherever the focus is but in a field.
   document.addEventListener("keydown", (event) => {
-    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
-    const isMine = event.target === canvas || pixel && !example && !event.target.closest("form, input:not([type=radio]), select, textarea");
+    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
+      ArrowDown: [0, 1]}[event.key];
+    const isMine = event.target === canvas || pixel && !example
+      && !event.target.closest("form, input:not([type=radio]), select, textarea");
     if (step && isMine && full) {
       event.preventDefault();
       event.stopPropagation();
@@ -1019,41 +1230,57 @@ function live(main, packed) {
       const moved = (at, by, n) => Math.max(0, Math.min(n - 1, at + by * far));
       pinned = true;
       example = false;
-      look(pixel ? {column: moved(from.column, step[0], full[0]), row: moved(from.row, step[1], full[1])} : from);
+      look(pixel ? {column: moved(from.column, step[0], full[0]),
+        row: moved(from.row, step[1], full[1])} : from);
     }
   }, true);
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") closeLoupe(); });
   // A number with its full value within, so that formulas can be checked.
-  const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
-  const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ", number(list[2]), ")"];
-  const swatch = (color) => [element("span", {className: "live-color"}, element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
-  // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates them.
+  const number = (value, digits = 5) => element("data",
+    {value: String(value), title: String(value), textContent: rounded(value, digits)});
+  const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ",
+    number(list[2]), ")"];
+  const swatch = (color) =>
+    [element("span", {className: "live-color"}, element("span",
+      {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
+  // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates
+  // them.
   const across = {
-    daily: ["1/2 + atan2({z}, {x}) / 2π", "1/2 + {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
-    rtiow: ["1/2 − atan2({z}, {x}) / 2π", "1/2 − {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 - Math.atan2(z, x) / (2 * Math.PI)],
-    lecture: ["frac(atan2({x}, {z}) / 2π)", "frac({atan2(x, z)}/{2π})", ([x, , z]) => (1 + Math.atan2(x, z) / (2 * Math.PI)) % 1],
+    daily: ["1/2 + atan2({z}, {x}) / 2π", "1/2 + {atan2(z, x)}/{2π}",
+      ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
+    rtiow: ["1/2 − atan2({z}, {x}) / 2π", "1/2 − {atan2(z, x)}/{2π}",
+      ([x, , z]) => 0.5 - Math.atan2(z, x) / (2 * Math.PI)],
+    lecture: ["frac(atan2({x}, {z}) / 2π)", "frac({atan2(x, z)}/{2π})",
+      ([x, , z]) => (1 + Math.atan2(x, z) / (2 * Math.PI)) % 1],
   };
-  const upward = ["atan2(√({x}² + {z}²), {-y}) / π", "{atan2(√{x² + z²}, −y)}/π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), -y) / Math.PI];
-  const downward = ["atan2(√({x}² + {z}²), {y}) / π", "{atan2(√{x² + z²}, y)}/π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), y) / Math.PI];
+  const upward = ["atan2(√({x}² + {z}²), {-y}) / π", "{atan2(√{x² + z²}, −y)}/π",
+    ([x, y, z]) => Math.atan2(Math.hypot(x, z), -y) / Math.PI];
+  const downward = ["atan2(√({x}² + {z}²), {y}) / π", "{atan2(√{x² + z²}, y)}/π",
+    ([x, y, z]) => Math.atan2(Math.hypot(x, z), y) / Math.PI];
   function formula(name, [text, symbols, by], normal, result) {
-    if (!(Math.abs(by(normal) - result) < 1e-9)) return [name, number(result, 6)];  // this chapter has another formula
+    // this chapter has another formula
+    if (!(Math.abs(by(normal) - result) < 1e-9)) return [name, number(result, 6)];
     const filled = [];
     for (const part of text.split(/(\{-?[xyz]\}²?)/)) {
       const [, sign, axis, power] = /^\{(-?)([xyz])\}(²?)$/.exec(part) || [];
       const value = axis && (sign ? -1 : 1) * normal["xyz".indexOf(axis)];
-      filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value), value < 0 ? ")²" : "²"] : [number(value)]));
+      filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value),
+        value < 0 ? ")²" : "²"] : [number(value)]));
     }
     return [name, math(symbols), " = ", ...filled, " = ", number(result, 6)];
   }
   // filled`n · l = ${x}`: text with numbers.
   const filled = (texts, ...parts) => texts.flatMap((text, i) =>
-    [text, ...(i < parts.length ? [parts[i]] : []).flat().map((one) => typeof one === "number" ? number(one) : one)]);
+    [text, ...(i < parts.length ? [parts[i]] : []).flat()
+      .map((one) => typeof one === "number" ? number(one) : one)]);
   const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
   // From the light and the paint to the color, as chapters 01 and 06 derive it.
   function shadingOf(seen, color) {
-    const {to_light: l, normal: n, ambient, diffuse, paint, specular, shininess, mirrored, highlight = 0, blend} = seen;
+    const {to_light: l, normal: n, ambient, diffuse, paint, specular, shininess, mirrored,
+      highlight = 0, blend} = seen;
     const cosine = dot(n, l);  // the module's is 0 in shadow
-    const list = [["light l", ...vector(l), ...filled`, n · l = ${cosine}`, cosine <= 0 ? ": the lamp is behind the surface" : seen.cosine === 0 ? ": in shadow" : ""]];
+    const list = [["light l", ...vector(l), ...filled`, n · l = ${cosine}`,
+      cosine <= 0 ? ": the lamp is behind the surface" : seen.cosine === 0 ? ": in shadow" : ""]];
     if (ambient === undefined) return list;
     const light = ambient + diffuse * seen.cosine;
     list.push(["lambert", ...filled`${ambient} + ${diffuse} · ${seen.cosine} = ${light}`]);
@@ -1062,81 +1289,107 @@ function live(main, packed) {
       const bySlides = values["--highlight"] === "lecture";
       const base = dot(mirrored, bySlides ? seen.direction : e);
       list.push(["r", ...vector(mirrored), ...filled`, r · ${bySlides ? "d" : "e"} = ${base}`]);
-      list.push(["highlight", ...(!bySlides && (cosine <= 0 || base <= 0 || seen.cosine === 0) ? ["0"]
-        : filled`${specular} · ${base < 0 ? ["(", base, ")"] : base}^${shininess} = ${highlight}`),
-        bySlides && base < 0 && shininess % 2 ? ": a negative number to this power is negative, or no number" : ""]);
+      list.push(["highlight",
+        ...(!bySlides && (cosine <= 0 || base <= 0 || seen.cosine === 0) ? ["0"]
+          : filled`${specular} · ${base < 0 ? ["(", base, ")"] : base}^${shininess} = ${
+            highlight}`),
+        bySlides && base < 0 && shininess % 2
+          ? ": a negative number to this power is negative, or no number" : ""]);
     }
     // The channels in numbers, where the picture has this color: one ray, the color itself, double.
     const blends = blend !== undefined && seen.texel;
     const white = Math.min(1, light + highlight);
     return [...list, ...channels(color, paint.map((paint) => {
-      const result = blends ? 255 * white * (1 - blend) + paint * blend : paint * light + 255 * highlight;
-      return [result, blends ? filled`${255 * white} · (1 − ${blend}) + ${paint} · ${blend} = ${result}`
-        : highlight ? filled`${paint} · ${light} + 255 · ${highlight} = ${result}` : filled`${paint} · ${light} = ${result}`];
+      const result = blends ? 255 * white * (1 - blend) + paint * blend
+        : paint * light + 255 * highlight;
+      return [result,
+        blends ? filled`${255 * white} · (1 − ${blend}) + ${paint} · ${blend} = ${result}`
+          : highlight ? filled`${paint} · ${light} + 255 · ${highlight} = ${result}`
+            : filled`${paint} · ${light} = ${result}`];
     }))];
   }
   // Rows for red, green and blue; none if they do not make the pixel's color.
   function channels(color, results) {
     const byteOf = (result) => Math.floor(Math.min(Math.max(result, 0), 255) + 1e-6);
     if (results.some(([result], i) => byteOf(result) !== color[i])) return [];
-    return results.map(([result, words], i) => [["red", "green", "blue"][i], ...words, result >= 256 ? ", at most 255" : ""]);
+    return results.map(([result, words], i) => [["red", "green", "blue"][i], ...words,
+      result >= 256 ? ", at most 255" : ""]);
   }
   // From what is shown in place of the color to the pixel.
   function shownOf(seen, color) {
     if (values["--show"] === "uv" && seen.uv) {
       const [u, v] = seen.uv;
-      return channels(color, [[255 * u, filled`255 u = 255 · ${u} = ${255 * u}`], [255 * v, filled`255 v = 255 · ${v} = ${255 * v}`], [0, ["0"]]]);
+      return channels(color, [[255 * u, filled`255 u = 255 · ${u} = ${255 * u}`],
+        [255 * v, filled`255 v = 255 · ${v} = ${255 * v}`], [0, ["0"]]]);
     }
     if (values["--show"] !== "normal") return [];
-    return channels(color, seen.normal.map((n, i) => [127.5 * (n + 1), [math(`255 {n + 1}/2`.replace("n", "xyz"[i])), ...filled` = 255 · (${n} + 1) / 2 = ${127.5 * (n + 1)}`]]));
+    return channels(color,
+      seen.normal.map((n, i) => [127.5 * (n + 1), [math(`255 {n + 1}/2`.replace("n", "xyz"[i])),
+        ...filled` = 255 · (${n} + 1) / 2 = ${127.5 * (n + 1)}`]]));
   }
   function factsOf(column, row, seen) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
     const list = [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
-      ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
-      [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ", ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
-    if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"], ...quadraticOf(seen)];
-    const center = seen.center.some((x) => x) ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
-    list.push(["hit", seen.objects[seen.object][0], ", radius ", number(seen.radius), ", at distance ", number(seen.distance)],
-      ...quadraticOf(seen), ["point", ...vector(seen.point)],
-      ["normal n", ...vector(seen.normal), " = ", ...center]);
+      ...(pinned
+        ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+    [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ",
+      ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
+    if (seen.distance === undefined)
+      return [...list, ["hit", "nothing: the sky"], ...quadraticOf(seen)];
+    const center = seen.center.some((x) => x)
+      ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
+    list.push(["hit", seen.objects[seen.object][0], ", radius ", number(seen.radius),
+      ", at distance ", number(seen.distance)],
+    ...quadraticOf(seen), ["point", ...vector(seen.point)],
+    ["normal n", ...vector(seen.normal), " = ", ...center]);
     if (seen.rotated && seen.turn[1] !== 1) {
       const [sine, cosine] = seen.turn;
       const [x, , z] = seen.normal;
       list.push(["n rotated", ...vector(seen.rotated), element("span", {className: "live-formula"},
-        element("span", {}, math("x ′ = x cos β + z sin β"), ...filled` = ${x} · ${cosine} + ${z} · ${sine}`),
-        element("span", {}, math("z ′ = z cos β − x sin β"), ...filled` = ${z} · ${cosine} − ${x} · ${sine}`))]);
+        element("span", {}, math("x ′ = x cos β + z sin β"),
+          ...filled` = ${x} · ${cosine} + ${z} · ${sine}`),
+        element("span", {}, math("z ′ = z cos β − x sin β"),
+          ...filled` = ${z} · ${cosine} − ${x} · ${sine}`))]);
     }
     if (seen.uv) {
       const [u, v] = seen.uv;
       const normal = seen.rotated || seen.normal;
       const convention = seen.texel && values["--convention"] || "rtiow";
-      list.push(formula("u", across[convention], normal, u), formula("v", convention === "daily" ? downward : upward, normal, v));
+      list.push(formula("u", across[convention], normal, u),
+        formula("v", convention === "daily" ? downward : upward, normal, v));
     }
     if (seen.texel) {
       const {column, row, width, height, down, floor, color} = seen.texel;
       const times = (n) => floor ? n : `(${n} − 1)`;
-      list.push(["texel", `column ⌊u · ${times(width)}⌋ = ${column}, row ${down ? "" : `${height - 1} − `}⌊v · ${times(height)}⌋ = ${row}: `, ...swatch(color)]);
+      list.push(["texel", `column ⌊u · ${times(width)}⌋ = ${column}, row ${down ? ""
+        : `${height - 1} − `}⌊v · ${times(height)}⌋ = ${row}: `, ...swatch(color)]);
     } else if (seen.paint) {
       list.push(["paint", ...swatch(seen.paint.map(Math.floor))]);
     }
     if (seen.squares && seen.uv) {
       const [across, up] = seen.uv.map((x) => Math.floor(Math.min(x, 1 - 2 ** -53) * seen.squares));
-      list.push(["square", `⌊${seen.squares} u⌋ + ⌊${seen.squares} v⌋ = ${across} + ${up} = ${across + up}, ${(across + up) % 2 ? "odd" : "even"}`]);
+      list.push(["square",
+        `⌊${seen.squares} u⌋ + ⌊${seen.squares} v⌋ = ${across} + ${up} = ${across
+          + up}, ${(across + up) % 2 ? "odd" : "even"}`]);
     }
     if (seen.float) {
       const {object, uv, apart} = seen.float;
-      list.push(["in float", ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : seen.objects[object][0]]
-        : uv ? filled`u = ${uv[0]}, v = ${uv[1]}: ${apart} texel from double's` : ["the same object"]), ". The other rows are in double."]);
+      list.push(["in float",
+        ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : seen.objects[object][0]]
+          : uv ? filled`u = ${uv[0]}, v = ${uv[1]}: ${apart} texel from double's`
+            : ["the same object"]), ". The other rows are in double."]);
     }
-    return [...list, ...(!plainView() ? shownOf(seen, color) : seen.to_light ? shadingOf(seen, color) : [])];
+    return [...list,
+      ...(!plainView() ? shownOf(seen, color) : seen.to_light ? shadingOf(seen, color) : [])];
   }
-  // Chapter 01's equation of the ray and the sphere that it meets; or that ahead which it passes at the least distance.
+  // Chapter 01's equation of the ray and the sphere that it meets; or that ahead which it passes at
+  // the least distance.
   function quadratic({objects, object, eye, direction: d}) {
     const all = objects.map(([name, radius, center]) => {
       const f = eye.map((x, i) => x - center[i]);
       const a = dot(d, d), b = -dot(f, d), c = dot(f, f) - radius ** 2;
-      return {name, radius, f, a, b, c, away: b > 0 ? Math.sqrt(Math.max(0, dot(f, f) - b * b / a)) - radius : Infinity};
+      return {name, radius, f, a, b, c,
+        away: b > 0 ? Math.sqrt(Math.max(0, dot(f, f) - b * b / a)) - radius : Infinity};
     });
     return all[object] || all.reduce((one, other) => other.away < one.away ? other : one);
   }
@@ -1144,25 +1397,36 @@ function live(main, packed) {
     if (chapter !== "01") return [];
     const {name, radius, f, a, b, c} = quadratic(seen);
     const discriminant = b * b - a * c, root = Math.sqrt(discriminant);
-    const list = [["f", math("f = eye − center"), " = ", ...vector(f), seen.object === undefined ? `, of ${name}: the ray comes nearest to it` : ""],
-      ["a, b, c", element("span", {className: "live-formula"}, element("span", {}, math("a = d · d"), " = ", number(a)),
-        element("span", {}, math("b = − f · d"), " = ", number(b)), element("span", {}, math("c = f · f − r²"), ...filled` = ${dot(f, f)} − ${radius}² = ${c}`))],
-      ["discriminant", math("b² − a c"), ...filled` = ${b}² − ${a} · ${c} = ${discriminant}`]];
-    return discriminant < 0 ? list : [...list, ["t", math("{b ± √{b² − a c}}/a"), ...filled` = ${(b - root) / a} and ${(b + root) / a}; the smaller is what we see`]];
+    const list = [["f", math("f = eye − center"), " = ", ...vector(f),
+      seen.object === undefined ? `, of ${name}: the ray comes nearest to it` : ""],
+    ["a, b, c", element("span", {className: "live-formula"},
+      element("span", {}, math("a = d · d"), " = ", number(a)),
+      element("span", {}, math("b = − f · d"), " = ", number(b)), element("span", {},
+        math("c = f · f − r²"), ...filled` = ${dot(f, f)} − ${radius}² = ${c}`))],
+    ["discriminant", math("b² − a c"), ...filled` = ${b}² − ${a} · ${c} = ${discriminant}`]];
+    return discriminant < 0 ? list : [...list, ["t", math("{b ± √{b² − a c}}/a"),
+      ...filled` = ${(b - root) / a} and ${(b + root) / a}; the smaller is what we see`]];
   }
   // The ray's line and the sphere, in radii: where they meet.
   function drawQuadratic(seen) {
     drawn.hidden = chapter !== "01";
     if (drawn.hidden) return;
     const {name, radius, a, b, c} = quadratic(seen);
-    const share = (b * b - a * c) / (a * radius ** 2);  // 1 − (distance of the line from the center / radius)²
-    const away = Math.sqrt(Math.max(0, 1 - share)), size = 44 / Math.max(1, away), half = Math.sqrt(Math.max(0, share)) * size;
+    // 1 − (distance of the line from the center / radius)²
+    const share = (b * b - a * c) / (a * radius ** 2);
+    const away = Math.sqrt(Math.max(0, 1 - share)), size = 44 / Math.max(1, away),
+      half = Math.sqrt(Math.max(0, share)) * size;
     const y = 52 - away * size;
-    const says = share < 0 ? "the ray misses it, no root" : share > 0 ? "the ray's line cuts it twice, two roots" : "the ray touches it, one root";
-    drawn.innerHTML = `<svg viewBox="0 0 240 104" role="img" aria-label="A line and a sphere: ${says}"><circle cx="120" cy="52" r="${size}"/>
-      <path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>${share < 0 ? "" : [-half, half].map((x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`).join("")}
+    const says = share < 0 ? "the ray misses it, no root" : share > 0
+      ? "the ray's line cuts it twice, two roots" : "the ray touches it, one root";
+    const meets = (x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`;
+    drawn.innerHTML = `<svg viewBox="0 0 240 104" role="img"
+      aria-label="A line and a sphere: ${says}">
+      <circle cx="120" cy="52" r="${size}"/><path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>
+      ${share < 0 ? "" : meets(-half) + meets(half)}
       <text x="126" y="${away * size < 16 ? y - 6 : (52 + y) / 2 + 5}">h</text></svg>`;
-    drawn.append(element("figcaption", {textContent: `${name}: ${says}. The line passes its center at the distance h.`}));
+    drawn.append(element("figcaption",
+      {textContent: `${name}: ${says}. The line passes its center at the distance h.`}));
   }
   // The flat texture with the point in a square and the pixel's outline; and a detail of it.
   let flat = null, part = null;
@@ -1180,33 +1444,43 @@ function live(main, packed) {
       const pen = canvas.getContext("2d"), dot = canvas.width / canvas.clientWidth;
       pen.putImageData(image, 0, 0);
       for (const turn of [-1, 0, 1]) {  // what goes over the seam comes in on the other side
-        const to = ([x, y]) => [(x + turn - left) / width * canvas.width, (y - top) / height * canvas.height];
+        const to = ([x, y]) => [(x + turn - left) / width * canvas.width,
+          (y - top) / height * canvas.height];
         pen.beginPath();
         for (const corner of corners) pen.lineTo(...to(corner));
         pen.closePath();
         const [x, y] = to(at);
         pen.rect(x - square * dot, y - square * dot, 2 * square * dot, 2 * square * dot);
-        for (const [color, size] of [["#000", 3.5], ["#fff", 1.5]]) Object.assign(pen, {strokeStyle: color, lineWidth: size * dot}).stroke();
+        for (const [color, size] of [["#000", 3.5], ["#fff", 1.5]])
+          Object.assign(pen, {strokeStyle: color, lineWidth: size * dot}).stroke();
       }
     };
     whole.style.width = `${Math.min(22, 11 * aspect)}rem`;
     outlined(whole, flat, [0, 0, 1, 1], 6.5);
     outlined(detail, part, [left, top, width, height], 0);
-    whole.setAttribute("aria-label", `The flat texture. The pixel's point is ${Math.round(100 * at[0])} % from the left and ${Math.round(100 * at[1])} % from the top.`);
-    mapSays.textContent = `The pixel's point on the flat texture, and ${corners.length < 4 ? `the ${corners.length} corners of the pixel that meet it` : "the pixel's outline"}, `
+    whole.setAttribute("aria-label",
+      `The flat texture. The pixel's point is ${Math.round(
+        100 * at[0])} % from the left and ${Math.round(100 * at[1])} % from the top.`);
+    mapSays.textContent = `The pixel's point on the flat texture, and ${corners.length < 4
+      ? `the ${corners.length} corners of the pixel that meet it` : "the pixel's outline"}, `
       + `${rounded(detail.clientWidth / (width * whole.clientWidth), 2)} times enlarged`;
   }
   // Where two pictures lie on each other, and this place shows the second.
-  const isLeft = (column) => lies[chapter] && second.width === canvas.width && column + 0.5 < canvas.width * line.value / 100;
+  const isLeft = (column) => lies[chapter] && second.width === canvas.width
+    && column + 0.5 < canvas.width * line.value / 100;
   // Rows and a drawing that the module made: chapters 07 and on.
   function moduleFacts(column, row, {left, ...right}) {
     const seen = left && isLeft(column) ? left : right;
-    const color = [...(isLeft(column) ? secondPaper : paper).getImageData(column, row, 1, 1).data.slice(0, 3)];
+    const color = [...(isLeft(column) ? secondPaper : paper).getImageData(column, row, 1,
+      1).data.slice(0, 3)];
     const parts = (list) => list.map((part) => typeof part === "number" ? number(part) : part);
     return [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
-      ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
-      ...(left ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line` : `${values["--filter"]}, right of the line`]] : []),
-      ...(seen.figure ? [["", drawing(seen.figure)]] : []), ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
+      ...(pinned
+        ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+    ...(left ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line`
+      : `${values["--filter"]}, right of the line`]] : []),
+    ...(seen.figure ? [["", drawing(seen.figure)]] : []),
+    ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
   }
   function drawing({says, width, height, shapes}) {
     const make = (name, properties) => {
@@ -1217,38 +1491,58 @@ function live(main, packed) {
     const unit = Math.max(width, height) / 100;
     const paint = (word) => ({ink: "currentColor", accent: "var(--link)"})[word] || word;
     const shape = {
-      dot: (color, cx, cy) => make("circle", {cx, cy, r: 1.2 * unit, fill: paint(color), stroke: "#888", "stroke-width": 0.25 * unit}),
-      line: (color, x1, y1, x2, y2) => make("line", {x1, y1, x2, y2, stroke: paint(color), "stroke-width": 0.7 * unit}),
-      box: (color, x, y, width, height) => make("rect", {x, y, width, height, fill: paint(color), "shape-rendering": "crispEdges"}),
-      word: (color, x, y, text) => Object.assign(make("text", {x: x + (x < width / 2 ? -2 : 2) * unit, y: y + (y < height / 2 ? -1.5 : 5.5) * unit,
-        "text-anchor": x < width / 2 ? "end" : "start", fill: paint(color), "font-size": 6 * unit}), {textContent: text}),  // outside of a corner
+      dot: (color, cx, cy) => make("circle",
+        {cx, cy, r: 1.2 * unit, fill: paint(color), stroke: "#888", "stroke-width": 0.25 * unit}),
+      line: (color, x1, y1, x2, y2) =>
+        make("line", {x1, y1, x2, y2, stroke: paint(color), "stroke-width": 0.7 * unit}),
+      box: (color, x, y, width, height) =>
+        make("rect", {x, y, width, height, fill: paint(color), "shape-rendering": "crispEdges"}),
+      word: (color, x, y, text) => Object.assign(make("text",
+        {x: x + (x < width / 2 ? -2 : 2) * unit,
+          y: y + (y < height / 2 ? -1.5 : 5.5) * unit,  // outside of a corner
+          "text-anchor": x < width / 2 ? "end" : "start", fill: paint(color),
+          "font-size": 6 * unit}),
+      {textContent: text}),
     };
-    const svg = make("svg", {viewBox: `${-unit} ${-unit} ${width + 2 * unit} ${height + 2 * unit}`, role: "img", "aria-label": says});
-    svg.append(make("rect", {width, height, fill: "none", stroke: "currentColor", "stroke-width": 0.3 * unit}),
-      ...shapes.map(([kind, ...rest]) => shape[kind](...rest)));
-    return element("figure", {className: "live-drawing"}, svg, element("figcaption", {textContent: says}));
+    const svg = make("svg", {viewBox: `${-unit} ${-unit} ${width + 2 * unit} ${height + 2 * unit}`,
+      role: "img", "aria-label": says});
+    svg.append(make("rect",
+      {width, height, fill: "none", stroke: "currentColor", "stroke-width": 0.3 * unit}),
+    ...shapes.map(([kind, ...rest]) => shape[kind](...rest)));
+    return element("figure", {className: "live-drawing"}, svg,
+      element("figcaption", {textContent: says}));
   }
   function showLoupe(column, row, seen) {
-    facts.replaceChildren(...(seen.rows ? moduleFacts(column, row, seen) : factsOf(column, row, seen)).map(([name, ...what]) =>
-      element("tr", {}, ...(name ? [element("th", {scope: "row", textContent: name})] : []), element("td", {colSpan: name ? 1 : 2}, ...what))));
+    facts.replaceChildren(...(seen.rows ? moduleFacts(column, row, seen) : factsOf(column, row,
+      seen)).map(([name, ...what]) =>
+      element("tr", {}, ...(name ? [element("th", {scope: "row", textContent: name})] : []),
+        element("td", {colSpan: name ? 1 : 2}, ...what))));
     const lens = zoomed.getContext("2d");
     lens.imageSmoothingEnabled = false;
     lens.clearRect(0, 0, 11, 11);
     lens.drawImage(isLeft(column) ? second : canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
     loupe.classList.toggle("live-pinned", pinned);
-    // Margins count in widths, and the canvas is as wide as its frame: the mark stays in place when the window changes.
-    Object.assign(mark.style, {left: `${100 * (column + 0.5) / full[0]}%`, top: 0, marginTop: `calc(${100 * (row + 0.5) / full[0]}% - 7px)`});
+    // Margins count in widths, and the canvas is as wide as its frame: the mark stays in place when
+    // the window changes.
+    Object.assign(mark.style, {left: `${100 * (column + 0.5) / full[0]}%`, top: 0,
+      marginTop: `calc(${100 * (row + 0.5) / full[0]}% - 7px)`});
     loupe.ariaLive = example ? "off" : "polite";
     loupe.hidden = mark.hidden = false;
     drawMap(seen);
     drawQuadratic(seen);
-    beside.style.minHeight = `${Math.max(loupe.offsetHeight, parseFloat(beside.style.minHeight) || 0)}px`;
+    beside.style.minHeight =
+      `${Math.max(loupe.offsetHeight, parseFloat(beside.style.minHeight) || 0)}px`;
   }
 
   // The room of the largest loupe is that of a width.
-  new ResizeObserver(([{contentRect: {width}}]) => { if (width !== roomOf) beside.style.minHeight = ""; roomOf = width; }).observe(beside);
+  new ResizeObserver(([{contentRect: {width}}]) => {
+    if (width !== roomOf) beside.style.minHeight = "";
+    roomOf = width;
+  }).observe(beside);
   // A book's arrow keys turn its pages: not while they move something here.
-  section.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation(); });
+  section.addEventListener("keydown", (event) => {
+    if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation();
+  });
   for (const one of main.querySelectorAll("input[name=live-chapter]")) {
     one.addEventListener("change", () => {
       remember();
@@ -1265,12 +1559,15 @@ function live(main, packed) {
 }
 
 // The chapters' module needs exceptions, as in this one: (func (try (do (nop)) (catch_all (nop)))).
-const hasExceptions = () => WebAssembly.validate(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 10, 1, 8, 0, 6, 64, 1, 25, 1, 11, 11));
+const hasExceptions = () => WebAssembly.validate(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1,
+  96, 0, 0, 3, 2, 1, 0, 10, 10, 1, 8, 0, 6, 64, 1, 25, 1, 11, 11));
 addEventListener("DOMContentLoaded", async () => {
   const main = document.querySelector("main[data-live]");
-  if (!main || typeof WebAssembly === "undefined" || !hasExceptions() || typeof DecompressionStream === "undefined") return;
+  if (!main || typeof WebAssembly === "undefined" || !hasExceptions()
+    || typeof DecompressionStream === "undefined") return;
   try {
-    live(main, await fetched("modules", main.dataset.live > "06" ? `${main.dataset.live}.js` : "modules.js"));
+    live(main, await fetched("modules",
+      main.dataset.live > "06" ? `${main.dataset.live}.js` : "modules.js"));
   } catch (error) {
     console.info(`The pictures stay still: ${error.message}`);
   }

@@ -1,5 +1,6 @@
-// Chapter 13's live picture: an error budget as a slider, with the chapter's own ways to draw the globe, timed in this browser; and the
-// same (u, v) by the reader's graphics processor, held against double.
+// Chapter 13's live picture: an error budget as a slider, with the chapter's own ways to draw the
+// globe, timed in this browser; and the same (u, v) by the reader's graphics processor, held
+// against double.
 "use strict";
 (() => {
 const {element, rounded, small, painted, fetched, hire} = texmapLive.of;
@@ -15,13 +16,15 @@ function worker() {
       return code.lend([picture], (start) => json(code.calls.begin(start, picture.length)));
     },
     compare: (way) => json(code.calls.compare(way)),
-    pictures: (way, count) => [pixels(code.calls.draw(way), count), pixels(code.calls.show_changes(way), count)],
+    pictures: (way, count) => [pixels(code.calls.draw(way), count),
+      pixels(code.calls.show_changes(way), count)],
     time(way) {
       const began = performance.now();
       code.calls.draw(way);
       return performance.now() - began;
     },
-    choose: (limit, times) => code.lend([new Uint8Array(times.buffer)], (start) => json(code.calls.choose(limit, start))),
+    choose: (limit, times) => code.lend([new Uint8Array(times.buffer)],
+      (start) => json(code.calls.choose(limit, start))),
     coefficients: (degree) => json(code.calls.coefficients(degree)),
     directions(ofMap, count) {
       const start = code.calls.probe(ofMap);  // the memory may move
@@ -29,7 +32,8 @@ function worker() {
     },
     judge(places, ofMap, count) {
       code.calls.probe(ofMap);
-      const found = code.lend([new Uint8Array(places.buffer)], (start) => json(code.calls.judge(start)));
+      const found = code.lend([new Uint8Array(places.buffer)],
+        (start) => json(code.calls.judge(start)));
       return {...found, picture: pixels(code.calls.judged(), count)};
     },
   };
@@ -44,21 +48,27 @@ const svg = (name, properties, ...children) => {
   made.append(...children);
   return made;
 };
-const dot = ({number}, x, y, r) => number.endsWith("-pack") ? svg("rect", {x: x - r, y: y - r, width: 2 * r, height: 2 * r}) : svg("circle", {cx: x, cy: y, r});
+const dot = ({number}, x, y, r) => number.endsWith("-pack") ? svg("rect",
+  {x: x - r, y: y - r, width: 2 * r, height: 2 * r}) : svg("circle", {cx: x, cy: y, r});
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
 // ---- The plot: time across, texels off at most up, both logarithmic.
 const plotWidth = 460, plotHeight = 330, left = 62, bottom = 46;
 const most = 1, least = 1e-12;
-const upFor = (bound) => 12 + (plotHeight - bottom - 12) * Math.log10(most / Math.max(bound, least)) / Math.log10(most / least);
+const upFor = (bound) => 12 + (plotHeight - bottom - 12) * Math.log10(most / Math.max(bound,
+  least)) / Math.log10(most / least);
 function plotted(ways, front, chosen, limit, choose) {
-  const known = ways.filter((way) => way.times.length).sort((a, b) => (b === ways[chosen]) - (a === ways[chosen]) || b.bound - a.bound);
+  const known = ways.filter((way) => way.times.length)
+    .sort((a, b) => (b === ways[chosen]) - (a === ways[chosen]) || b.bound - a.bound);
   const plain = ways[0].times.length ? Math.min(...ways[0].times) : 1;
   const ratio = (time) => time / plain;
   const reach = known.map((way) => ratio(median(way.times)));
-  const first = Math.min(0.5, ...known.map((way) => ratio(Math.min(...way.times)))) * 0.75, last = Math.max(1.2, ...reach) * 1.1;
-  const acrossFor = (time) => left + (plotWidth - left - 14) * Math.log(ratio(time) / first) / Math.log(last / first);
-  const drawing = svg("svg", {viewBox: `0 0 ${plotWidth} ${plotHeight}`, role: "group", "aria-label": "Time and error of each way; each point is a button"});
+  const first = Math.min(0.5, ...known.map((way) => ratio(Math.min(...way.times)))) * 0.75,
+    last = Math.max(1.2, ...reach) * 1.1;
+  const acrossFor = (time) =>
+    left + (plotWidth - left - 14) * Math.log(ratio(time) / first) / Math.log(last / first);
+  const drawing = svg("svg", {viewBox: `0 0 ${plotWidth} ${plotHeight}`, role: "group",
+    "aria-label": "Time and error of each way; each point is a button"});
   for (let power = -12; power <= 0; power += 3) {
     const y = upFor(10 ** power);
     drawing.append(svg("line", {x1: left, x2: plotWidth - 14, y1: y, y2: y, class: "budget-grid"}),
@@ -67,34 +77,56 @@ function plotted(ways, front, chosen, limit, choose) {
   for (const part of [0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.4, 2]) {
     if (part < first || part > last) continue;
     const x = acrossFor(part * plain);
-    drawing.append(svg("line", {x1: x, x2: x, y1: 12, y2: plotHeight - bottom, class: "budget-grid"}),
-      svg("text", {x, y: plotHeight - bottom + 18, "text-anchor": "middle"}, String(part)));
+    drawing.append(svg("line",
+      {x1: x, x2: x, y1: 12, y2: plotHeight - bottom, class: "budget-grid"}),
+    svg("text", {x, y: plotHeight - bottom + 18, "text-anchor": "middle"}, String(part)));
   }
-  drawing.append(svg("text", {x: (left + plotWidth) / 2, y: plotHeight - 6, "text-anchor": "middle"}, "time; double with atan2 = 1"));
-  drawing.append(svg("rect", {x: left, width: plotWidth - left - 14, y: upFor(limit), height: plotHeight - bottom - upFor(limit), class: "budget-allowed"}));
-  drawing.append(svg("line", {x1: left, x2: plotWidth - 14, y1: upFor(limit), y2: upFor(limit), class: "budget-limit"}));
+  drawing.append(svg("text", {x: (left + plotWidth) / 2, y: plotHeight - 6,
+    "text-anchor": "middle"}, "time; double with atan2 = 1"));
+  drawing.append(svg("rect", {x: left, width: plotWidth - left - 14, y: upFor(limit),
+    height: plotHeight - bottom - upFor(limit), class: "budget-allowed"}));
+  drawing.append(svg("line",
+    {x1: left, x2: plotWidth - 14, y1: upFor(limit), y2: upFor(limit), class: "budget-limit"}));
   const at = (way) => [acrossFor(Math.min(...way.times)), upFor(way.bound)];
-  const path = front.map((i) => ways[i]).filter((way) => known.includes(way)).map((way) => at(way).join(","));
-  if (path.length > 1) drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
-  // A label stands beside, above or below its point where it covers nothing; the chosen point has one in any case.
-  const words = [], high = matchMedia("(max-width: 32rem)").matches ? 17 : 14, size = (way) => way === ways[chosen] ? 8 : 5;
-  const taken = known.flatMap((way) => { const [x, y] = at(way), r = size(way) + 2; return [[x - r, y - r, x + r, y + r], [x, y - 2, acrossFor(median(way.times)), y + 2]]; });
+  const path = front.map((i) => ways[i]).filter((way) => known.includes(way))
+    .map((way) => at(way).join(","));
+  if (path.length > 1)
+    drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
+  // A label stands beside, above or below its point where it covers nothing; the chosen point has
+  // one in any case.
+  const words = [], high = matchMedia("(max-width: 32rem)").matches ? 17 : 14,
+    size = (way) => way === ways[chosen] ? 8 : 5;
+  const taken = known.flatMap((way) => {
+    const [x, y] = at(way), r = size(way) + 2;
+    return [[x - r, y - r, x + r, y + r], [x, y - 2, acrossFor(median(way.times)), y + 2]];
+  });
   for (const way of known) {
-    const [x, y] = at(way), text = way.kernel.replace("reference", "atan2").replace("degree ", ""), wide = 0.62 * high * text.length, r = size(way) + 5;
-    const boxes = [[x - r - wide, y - high / 2], [x - wide / 2, y - r - high], [x - wide / 2, y + r], [acrossFor(median(way.times)) + r, y - high / 2]]
+    const [x, y] = at(way), text = way.kernel.replace("reference", "atan2").replace("degree ", ""),
+      wide = 0.62 * high * text.length, r = size(way) + 5;
+    const boxes = [[x - r - wide, y - high / 2], [x - wide / 2, y - r - high],
+      [x - wide / 2, y + r], [acrossFor(median(way.times)) + r, y - high / 2]]
       .map(([a, b]) => [a, b, a + wide, b + high]);
-    const place = boxes.find((one) => one[0] > left && one[2] < plotWidth && !taken.some((other) => one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]))
+    const place = boxes.find((one) => one[0] > left && one[2] < plotWidth
+      && !taken.some((other) => one[0] < other[2] && other[0] < one[2] && one[1] < other[3]
+        && other[1] < one[3]))
       || way === ways[chosen] && boxes[0];
     if (place) {
       taken.push([place[0] - 6, place[1], place[2] + 6, place[3]]);
-      words.push(svg("text", {x: place[0], y: place[3] - 0.15 * high, class: way === ways[chosen] ? "chosen" : ""}, text));
+      words.push(svg("text", {x: place[0], y: place[3] - 0.15 * high,
+        class: way === ways[chosen] ? "chosen" : ""}, text));
     }
-    const point = svg("g", {tabindex: 0, role: "button", "aria-label": `${named(way)}: at most ${small(way.bound)} texels off`,
+    const point = svg("g", {tabindex: 0, role: "button",
+      "aria-label": `${named(way)}: at most ${small(way.bound)} texels off`,
       class: `budget-point ${way.number.split("-")[0]}${ways[chosen] === way ? " chosen" : ""}`});
-    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}), dot(way, x, y, size(way)),
+    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}),
+      dot(way, x, y, size(way)),
       svg("title", {}, named(way)));
     point.onclick = () => choose(way);
-    point.onkeydown = (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); choose(way); } };
+    point.onkeydown = (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      choose(way);
+    };
     drawing.append(point);
   }
   drawing.append(...words);  // above all points
@@ -118,10 +150,12 @@ void main() {
 const built = [
   ["atan, acos", "vec2 uv(vec3 n) { return vec2(turn(n), acos(-n.y) / pi); }"],
   ["atan, asin", "vec2 uv(vec3 n) { return vec2(turn(n), 0.5 + asin(n.y) / pi); }"],
-  ["atan for u and v, as the course", "vec2 uv(vec3 n) { return vec2(turn(n), atan(length(n.xz), -n.y) / pi); }"],
+  ["atan for u and v, as the course",
+    "vec2 uv(vec3 n) { return vec2(turn(n), atan(length(n.xz), -n.y) / pi); }"],
 ];
 const literal = (value) => /[.e]/.test(String(value)) ? String(value) : `${value}.0`;
-const horner = (list, x) => list.reduceRight((sum, power) => sum === "" ? literal(power) : `${literal(power)} + ${x} * (${sum})`, "");
+const horner = (list, x) => list.reduceRight((sum, power) => sum === "" ? literal(power)
+  : `${literal(power)} + ${x} * (${sum})`, "");
 // FastUnitMapping, as common/engine/fast/turns.hpp has it.
 const byPolynomials = ({tangent, cosine}) => `
 vec2 uv(vec3 n) {
@@ -147,7 +181,8 @@ function graphics() {
   const texture = (width, height, data) => {
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, data);
-    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
     return gl.getParameter(gl.TEXTURE_BINDING_2D);
   };
   const info = gl.getExtension("WEBGL_debug_renderer_info");
@@ -157,7 +192,9 @@ function graphics() {
     async places(formula, directions, width, height) {
       const program = gl.createProgram();
       gl.attachShader(program, shader(gl.VERTEX_SHADER, `#version 300 es
-void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`));
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}`));
       gl.attachShader(program, shader(gl.FRAGMENT_SHADER, head + formula + tail));
       gl.linkProgram(program);
       gl.useProgram(program);
@@ -174,7 +211,8 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
       const done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
       gl.flush();
-      while (gl.clientWaitSync(done, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((give) => { setTimeout(give, 5); });
+      while (gl.clientWaitSync(done, 0, 0) === gl.TIMEOUT_EXPIRED)
+        await new Promise((give) => { setTimeout(give, 5); });
       gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, four);
       gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
       return new Float32Array(2 * width * height).map((_, i) => four[4 * (i >> 1) + (i & 1)]);
@@ -184,47 +222,73 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 
 // ---- The section.
 async function begin() {
-  const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
+  const [{bytes: packed}, {bytes: picture}] =
+    await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
   const ask = hire(worker);
   const facts = await ask("load", packed, picture);
   const {width, height} = facts;
   const ways = facts.ways.map((way, index) => ({...way, index, times: []}));
 
   const shown = element("canvas", {role: "img", ariaLabel: "The globe, drawn in the chosen way"});
-  const changed = element("canvas", {role: "img", ariaLabel: "The pixels that the chosen way changes"});
-  const slider = element("input", {type: "range", id: "budget", min: -12, max: 0, step: 0.05, value: -2});
+  const changed = element("canvas",
+    {role: "img", ariaLabel: "The pixels that the chosen way changes"});
+  const slider = element("input",
+    {type: "range", id: "budget", min: -12, max: 0, step: 0.05, value: -2});
   const allowed = element("output", {htmlFor: "budget"});
   const says = element("p", {className: "budget-says", ariaLive: "polite"});
   const command = element("code"), copy = element("button", {type: "button", textContent: "Copy"});
   const clock = element("p", {className: "budget-clock"});
-  const plot = element("div"), key = element("figcaption", {textContent: "As timed in this browser. Up: texels off at most. Each point is a way to draw: filled in float, open in double; a square computes a pack of 8 floats or 4 doubles at once. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
+  const plot = element("div"),
+    key = element("figcaption",
+      {textContent: "As timed in this browser. Up: texels off at most. Each point is a way to "
+        + "draw: filled in float, open in double; a square computes a pack of 8 floats or 4 "
+        + "doubles at once. A number is the degree of its polynomial. A bar goes to the median "
+        + "time. The thin line is the front: nothing is both faster and more exact. The shaded "
+        + "part keeps to the slider. Click a point to see its picture."});
   const table = element("table");
   const again = element("button", {type: "button", textContent: "Time again"});
-  const measured = element("div", {hidden: true}), card = element("div", {className: "budget-card"});
+  const measured = element("div", {hidden: true}),
+    card = element("div", {className: "budget-card"});
   const section = element("section", {className: "wide budget", ariaLabel: "An error budget"},
-    element("p", {}, element("label", {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}), allowed, " texels. The fastest way that keeps to this is chosen; of ways that could be as fast, as far as their times spread, the most exact."), slider,
+    element("p", {},
+      element("label",
+        {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}),
+      allowed, " texels. The fastest way that keeps to this is chosen; of ways that could be as "
+        + "fast, as far as their times spread, the most exact."), slider,
     clock, measured, card);
   measured.append(
-    element("div", {className: "budget-pair"}, element("figure", {className: "budget-plot"}, plot, key), element("figure", {}, shown, element("figcaption", {textContent: "the globe, drawn in this way"})),
-      element("figure", {}, changed, element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
+    element("div", {className: "budget-pair"}, element("figure", {className: "budget-plot"}, plot,
+      key), element("figure", {}, shown,
+      element("figcaption", {textContent: "the globe, drawn in this way"})),
+    element("figure", {}, changed,
+      element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
     says, element("p", {className: "live-command"}, command, " ", copy), element("p", {}, again),
-    element("details", {}, element("summary", {textContent: "All ways in numbers"}), element("div", {className: "scroll"}, table)));
+    element("details", {}, element("summary", {textContent: "All ways in numbers"}),
+      element("div", {className: "scroll"}, table)));
   (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   section.ways = ways;  // for the tests
   const pictures = [];  // of each way, with its changes: 14 MB, so that no drag draws
   let chosen = 0, front = [];
-  const timesOf = () => Float64Array.from(ways.flatMap((way) => way.times.length ? [Math.min(...way.times), median(way.times)] : [1, 1]));
+  const timesOf = () =>
+    Float64Array.from(ways.flatMap((way) => way.times.length ? [Math.min(...way.times),
+      median(way.times)] : [1, 1]));
   const limit = () => 10 ** slider.value;
   function tell(best) {
     const way = ways[chosen];
-    const ratio = ways[0].times.length && way.times.length ? Math.min(...ways[0].times) / Math.min(...way.times) : 0;
-    says.replaceChildren(best < 0 ? "Nothing that was tried keeps to that. The most exact: " : "", element("b", {textContent: named(way)}),
+    const ratio = ways[0].times.length
+      && way.times.length ? Math.min(...ways[0].times) / Math.min(...way.times) : 0;
+    says.replaceChildren(best < 0 ? "Nothing that was tried keeps to that. The most exact: " : "",
+      element("b", {textContent: named(way)}),
       `, at most ${small(way.bound)} texels off, ${small(way.worst)} seen. `,
-      way.changed ? `${counted(way.changed, "pixel")} of ${(width * height).toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}.` : "No pixel differs.",
+      way.changed ? `${counted(way.changed, "pixel")} of ${(width * height)
+        .toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}.` : "No pixel differs.",
       ratio && chosen ? ` Here ${rounded(ratio, 2)} times as fast as double with atan2.` : "",
-      ` The command draws chapter 07's picture in this way${way.budget === "exact" ? "" : "; its budget is the polynomial's share of the error, and rounding adds the rest"}.`);
-    command.textContent = `./course run 07 --scene book --number ${way.number}${way.budget === "exact" ? "" : ` --budget ${way.budget}`}`;
+      ` The command draws chapter 07's picture in this way${way.budget === "exact" ? ""
+        : "; its budget is the polynomial's share of the error, and rounding adds the rest"}.`);
+    command.textContent =
+      `./course run 07 --scene book --number ${way.number}${way.budget === "exact" ? ""
+        : ` --budget ${way.budget}`}`;
     section.dataset.way = way.index;
   }
   async function change(way) {
@@ -239,9 +303,13 @@ async function begin() {
     const isHeld = plot.contains(document.activeElement);
     plot.replaceChildren(plotted(ways, front, chosen, limit(), choose));
     if (isHeld) plot.querySelector(".budget-point.chosen").focus();
-    table.replaceChildren(element("tr", {}, ...["way", "at most, texels", "seen", "pixels that differ", "time", "spread"].map((name) => element("th", {scope: "col", textContent: name}))),
-      ...ways.map((one) => element("tr", {}, ...[named(one), small(one.bound), small(one.worst), String(one.changed),
-        one.times.length ? rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3) : "", one.times.length ? rounded(median(one.times) / Math.min(...one.times), 3) : ""]
+    table.replaceChildren(element("tr", {},
+      ...["way", "at most, texels", "seen", "pixels that differ", "time",
+        "spread"].map((name) => element("th", {scope: "col", textContent: name}))),
+    ...ways.map((one) =>
+      element("tr", {}, ...[named(one), small(one.bound), small(one.worst), String(one.changed),
+        one.times.length ? rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3) : "",
+        one.times.length ? rounded(median(one.times) / Math.min(...one.times), 3) : ""]
         .map((text) => element("td", {textContent: text})))));
     [shown, changed].forEach((canvas, i) => painted(canvas, pictures[chosen][i], width, height));
     measured.hidden = false;
@@ -253,15 +321,20 @@ async function begin() {
   async function time() {
     again.disabled = true;
     const rounds = 15, times = ways.map(() => []);
-    for (const way of ways) pictures[way.index] = await ask("pictures", way.index, width * height);  // warms up
+    // warms up
+    for (const way of ways) pictures[way.index] = await ask("pictures", way.index, width * height);
     for (let round = 0; round < rounds; ++round) {
       for (const way of ways) times[way.index].push(await ask("time", way.index));
       clock.textContent = `Measuring: round ${round + 1} of ${rounds} …`;
     }
     for (const way of ways) way.times = times[way.index];  // the plot has the old ones until then
     const busy = ways.filter((way) => median(way.times) > 1.1 * Math.min(...way.times)).length;
-    clock.textContent = `Timed in this browser, one thread: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
-      + (busy ? `The machine was busy: ${busy} of ${ways.length} medians are more than 10 % above the shortest.` : "The medians are within 10 % of the shortest.")
+    clock.textContent =
+      "Timed in this browser, one thread: double with atan2 takes "
+      + `${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, `
+      + `the shortest of ${rounds} rounds, all ways in turn. `
+      + (busy ? `The machine was busy: ${busy} of ${ways.length} medians are more than 10 % above `
+      + "the shortest." : "The medians are within 10 % of the shortest.")
       + " The program of this chapter has wider packs.";
     again.disabled = false;
     await change();
@@ -269,13 +342,16 @@ async function begin() {
   slider.oninput = () => change();
   again.onclick = async () => { await time(); section.dataset.state = "done"; };
   copy.onclick = async () => {
-    try { await navigator.clipboard.writeText(command.textContent); } catch { getSelection().selectAllChildren(command); document.execCommand("copy"); }
+    try {
+      await navigator.clipboard.writeText(command.textContent);
+    } catch { getSelection().selectAllChildren(command); document.execCommand("copy"); }
     copy.textContent = "Copied";
     setTimeout(() => { copy.textContent = "Copy"; }, 2000);
   };
   change();  // says the limit
   for (const way of ways) {
-    clock.textContent = `Measuring: compared with the exact picture, ${way.index + 1} of ${ways.length} …`;
+    clock.textContent = `Measuring: compared with the exact picture, ${way.index
+      + 1} of ${ways.length} …`;
     Object.assign(way, await ask("compare", way.index));
   }
   await time();
@@ -285,31 +361,52 @@ async function begin() {
   card.append(element("h3", {textContent: "Your graphics processor"}));
   const machine = graphics();
   if (!machine) {
-    card.append(element("p", {textContent: "This browser gives no graphics processor that writes floats (WebGL 2 with EXT_color_buffer_float), so its arc tangent cannot be measured here."}));
+    card.append(element("p",
+      {textContent: "This browser gives no graphics processor that writes floats (WebGL 2 with "
+        + "EXT_color_buffer_float), so its arc tangent cannot be measured here."}));
     return;
   }
   const measure = element("button", {type: "button", textContent: "Measure it"});
-  const results = element("table"), errors = element("canvas", {role: "img", hidden: true, ariaLabel: "The error of each place on the map"}), caption = element("p", {className: "live-legend"});
-  card.append(element("p", {textContent: "A graphics processor runs small programs, shaders, whose language has atan, asin and acos. It does not say how exact they are. Here yours computes (u, v) of half a million directions with them, and with the course's polynomials, and the page compares each with double. Click a name to see where on the map it is off."}),
-    measure, element("div", {className: "scroll"}, results), errors, caption);
+  const results = element("table"),
+    errors = element("canvas",
+      {role: "img", hidden: true, ariaLabel: "The error of each place on the map"}),
+    caption = element("p", {className: "live-legend"});
+  card.append(element("p",
+    {textContent: "A graphics processor runs small programs, shaders, whose language has atan, "
+      + "asin and acos. It does not say how exact they are. Here yours computes (u, v) of half a "
+      + "million directions with them, and with the course's polynomials, and the page compares "
+      + "each with double. Click a name to see where on the map it is off."}),
+  measure, element("div", {className: "scroll"}, results), errors, caption);
   measure.onclick = async () => {
     measure.disabled = true;
     try {
       const [across, down] = facts.map;
-      const ofMap = await ask("directions", 1, across * down), ofPicture = await ask("directions", 0, width * height);
+      const ofMap = await ask("directions", 1, across * down),
+        ofPicture = await ask("directions", 0, width * height);
       const formulas = [...built];
-      for (const degree of [5, 9, 17]) formulas.push([`degree ${degree}`, byPolynomials(await ask("coefficients", degree))]);
-      results.replaceChildren(element("tr", {}, ...["in the shader", "texels off, at worst", "median", "worst beside the seam", "worst near the poles", "pixels that differ"].map((name) => element("th", {scope: "col", textContent: name}))));
+      for (const degree of [5, 9, 17])
+        formulas.push([`degree ${degree}`, byPolynomials(await ask("coefficients", degree))]);
+      results.replaceChildren(element("tr", {}, ...["in the shader", "texels off, at worst",
+        "median", "worst beside the seam", "worst near the poles",
+        "pixels that differ"].map((name) => element("th", {scope: "col", textContent: name}))));
       const paint = (name, found) => {
         painted(errors, found.picture, across, down);
         errors.hidden = false;
-        caption.replaceChildren(`${name}: the error on the map, `, element("i", {className: "live-errors"}), ` from 10⁻⁵ texel or less to 1 texel or more. By ${machine.name}.`);
+        caption.replaceChildren(`${name}: the error on the map, `,
+          element("i", {className: "live-errors"}),
+          ` from 10⁻⁵ texel or less to 1 texel or more. By ${machine.name}.`);
       };
       for (const [name, formula] of formulas) {
-        const found = await ask("judge", await machine.places(formula, ofMap, across, down), 1, across * down);
-        const inPicture = await ask("judge", await machine.places(formula, ofPicture, width, height), 0, width * height);
-        results.append(element("tr", {}, element("td", {}, element("button", {type: "button", textContent: name, onclick: () => paint(name, found)})),
-          ...[small(found.worst), small(found.median), small(found.seam), small(found.pole), counted(inPicture.changed, "pixel")].map((text) => element("td", {textContent: text}))));
+        const found = await ask("judge", await machine.places(formula, ofMap, across, down), 1,
+          across * down);
+        const inPicture = await ask("judge",
+          await machine.places(formula, ofPicture, width, height), 0, width * height);
+        results.append(element("tr", {},
+          element("td", {}, element("button",
+            {type: "button", textContent: name, onclick: () => paint(name, found)})),
+          ...[small(found.worst), small(found.median), small(found.seam), small(found.pole),
+            counted(inPicture.changed,
+              "pixel")].map((text) => element("td", {textContent: text}))));
         if (errors.hidden) paint(name, found);
       }
       card.dataset.state = "done";
@@ -319,5 +416,6 @@ async function begin() {
     measure.disabled = false;
   };
 }
-addEventListener("DOMContentLoaded", () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
+addEventListener("DOMContentLoaded",
+  () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
 })();

@@ -1,4 +1,5 @@
-// Chapter 14's live picture: an exhibit with a slider, once by the published formula and once by the course's.
+// Chapter 14's live picture: an exhibit with a slider, once by the published formula and once by
+// the course's.
 "use strict";
 (() => {
 const {element, small, painted, fetched, hire} = texmapLive.of;
@@ -8,7 +9,8 @@ function worker() {
   return {
     async load(packed, picture) {
       code = await open(await WebAssembly.compile(await unpacked(packed)));
-      return code.lend([picture], (start) => JSON.parse(code.answer(code.calls.begin(start, picture.length))));
+      return code.lend([picture],
+        (start) => JSON.parse(code.answer(code.calls.begin(start, picture.length))));
     },
     draw(dial, value, published, inFloat, width, height) {
       const start = code.calls.draw(dial, value, published, inFloat, width, height);
@@ -22,39 +24,54 @@ const width = 320, height = 240;
 const unlike = (a, b) => {
   let count = 0;
   for (let i = 0; i < a.length; i += 4) {
-    if (Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]), Math.abs(a[i + 2] - b[i + 2])) > 1) ++count;
+    if (Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]),
+      Math.abs(a[i + 2] - b[i + 2])) > 1) ++count;
   }
   return count;
 };
 
 async function begin() {
-  const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_14", "module_14.js"), fetched("earth.png", "earth.js")]);
+  const [{bytes: packed}, {bytes: picture}] =
+    await Promise.all([fetched("module_14", "module_14.js"), fetched("earth.png", "earth.js")]);
   const ask = hire(worker);
   const dials = await ask("load", packed, picture);
 
-  const choice = element("select", {id: "exhibit"}, ...dials.map(({exhibit, label}, i) => element("option", {value: i, textContent: `${exhibit}: ${label}`})));
-  const slider = element("input", {type: "range", id: "extreme", step: 0.01}), label = element("label", {htmlFor: "extreme"}), value = element("output", {htmlFor: "extreme"});
+  const choice = element("select", {id: "exhibit"},
+    ...dials.map(({exhibit, label}, i) =>
+      element("option", {value: i, textContent: `${exhibit}: ${label}`})));
+  const slider = element("input", {type: "range", id: "extreme", step: 0.01}),
+    label = element("label", {htmlFor: "extreme"}), value = element("output", {htmlFor: "extreme"});
   const inDouble = element("input", {type: "checkbox"});
   const sides = ["as published", "this course"].map((name, i) => {
-    const canvas = element("canvas", {role: "img", ariaLabel: name}), formula = element("b"), wrong = element("span");
-    return {published: 1 - i, canvas, formula, wrong, figure: element("figure", {}, canvas, element("figcaption", {}, `${name}: `, formula, element("br"), wrong))};
+    const canvas = element("canvas", {role: "img", ariaLabel: name}), formula = element("b"),
+      wrong = element("span");
+    return {published: 1 - i, canvas, formula, wrong, figure: element("figure", {}, canvas,
+      element("figcaption", {}, `${name}: `, formula, element("br"), wrong))};
   });
   const note = element("p", {className: "budget-clock"});
-  const section = element("section", {className: "wide budget", ariaLabel: "The exhibits with sliders"},
-    element("p", {className: "budget-row"}, element("label", {htmlFor: "exhibit", textContent: "Ten of the twenty exhibits, each with a slider: "}), choice, " ",
+  const section = element("section",
+    {className: "wide budget", ariaLabel: "The exhibits with sliders"},
+    element("p", {className: "budget-row"},
+      element("label", {htmlFor: "exhibit",
+        textContent: "Ten of the twenty exhibits, each with a slider: "}), choice, " ",
       element("label", {className: "budget-switch"}, inDouble, " both in double")),
-    element("p", {className: "budget-row"}, label, ": ", value), slider, element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
+    element("p", {className: "budget-row"}, label, ": ", value), slider,
+    element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
   (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   const isWhole = (dial) => dial.exhibit === "highlight";
-  const valueOf = (dial) => isWhole(dial) ? Number(slider.value) : Math.abs(slider.value - Math.log10(dial.value)) < 0.005 ? dial.value : slider.value > slider.max - 0.01 ? dial.most : 10 ** slider.value;
+  const valueOf = (dial) => isWhole(dial) ? Number(slider.value)
+    : Math.abs(slider.value - Math.log10(dial.value)) < 0.005 ? dial.value
+      : slider.value > slider.max - 0.01 ? dial.most : 10 ** slider.value;
   function choose() {
     const dial = dials[choice.value];
     const at = isWhole(dial) ? (x) => x : Math.log10;
-    Object.assign(slider, {min: at(dial.least), max: at(dial.most), step: isWhole(dial) ? 1 : 0.01});
+    Object.assign(slider,
+      {min: at(dial.least), max: at(dial.most), step: isWhole(dial) ? 1 : 0.01});
     slider.value = at(dial.value);
     label.textContent = dial.label[0].toUpperCase() + dial.label.slice(1);
-    for (const side of sides) side.formula.textContent = side.published ? dial.published : dial.course;
+    for (const side of sides)
+      side.formula.textContent = side.published ? dial.published : dial.course;
     change();
   }
   let last = 0, drawing = false, again = false;
@@ -63,22 +80,32 @@ async function begin() {
     drawing = true;
     const dial = dials[choice.value], at = valueOf(dial), mine = ++last;
     section.dataset.state = "drawing";
-    const shown = isWhole(dial) ? String(at) : at >= 1e7 ? at.toExponential(1).replace("e+", "e") : at >= 1000 ? Math.round(at).toLocaleString("en") : small(at);
+    const shown = isWhole(dial) ? String(at) : at >= 1e7 ? at.toExponential(1).replace("e+", "e")
+      : at >= 1000 ? Math.round(at).toLocaleString("en") : small(at);
     value.textContent = shown;
     slider.setAttribute("aria-valuetext", shown);
     const number = inDouble.checked ? 0 : 1;
-    const pictures = await Promise.all(sides.map(({published}) => ask("draw", choice.value, at, published, number, width, height)));
+    const pictures = await Promise.all(sides.map(({published}) => ask("draw", choice.value, at,
+      published, number, width, height)));
     sides.forEach(({canvas}, i) => painted(canvas, pictures[i], width, height));
-    const right = again ? null : await ask("draw", choice.value, at, 0, 0, width, height);  // while the reader drags, nothing is counted
+    // while the reader drags, nothing is counted
+    const right = again ? null : await ask("draw", choice.value, at, 0, 0, width, height);
     if (right) sides.forEach((side, i) => {
       const count = unlike(pictures[i], right);
-      side.wrong.textContent = `${number ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
+      side.wrong.textContent = `${number ? "float" : "double"}: ${count
+        ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels`
+        : "no pixel"} unlike the course's in double`;
       section.dataset[side.published ? "published" : "course"] = count;
     });
     const program = `The program's ${dial.exhibit}`;
-    note.replaceChildren("Magenta: a place outside the texture, a hole, or a NaN. ", ...dial.exhibit === "needle" ? [`${program} has another picture on it.`]
-      : at === dial.value ? ["The program draws the published picture: ", element("code", {textContent: `./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${number ? "float" : "double"}`})]
-      : [`${program} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−") : dial.value.toLocaleString("en")}.`]);
+    note.replaceChildren("Magenta: a place outside the texture, a hole, or a NaN. ",
+      ...dial.exhibit === "needle" ? [`${program} has another picture on it.`]
+        : at === dial.value ? ["The program draws the published picture: ",
+          element("code",
+            {textContent: `./course run 14 --exhibit ${dial.exhibit} --formulas published `
+              + `--number ${number ? "float" : "double"}`})]
+          : [`${program} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−")
+            : dial.value.toLocaleString("en")}.`]);
     section.dataset.state = mine === last ? "done" : "drawing";
     drawing = false;
     if (again) { again = false; change(); }
@@ -87,5 +114,6 @@ async function begin() {
   slider.oninput = inDouble.onchange = () => change();
   choose();
 }
-addEventListener("DOMContentLoaded", () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
+addEventListener("DOMContentLoaded",
+  () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
 })();
