@@ -95,8 +95,9 @@ case $system in
 esac
 
 # shellcheck disable=SC2086  # lists of targets
-cmake --build "$build" --parallel 2 --target $chapters compare_program $suites
-ctest --test-dir "$build" -R "^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$" --output-on-failure --no-tests=error -j2
+cmake --build "$build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" --target $chapters compare_program $suites
+ctest --test-dir "$build" -R "^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$" --output-on-failure --no-tests=error \
+  --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
 
 # The golden pictures are asked of programs by their bare names, and compared here.
 wrapped=$build/wrapped

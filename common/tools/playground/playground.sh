@@ -49,7 +49,7 @@ done
 cmake -S "$tree" -B "$build" -D CMAKE_TOOLCHAIN_FILE="$toolchain" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-Oz \
   -D TEXMAP_LEARN=ON -D CMAKE_CXX_COMPILER_LAUNCHER= -D stb_image_INCLUDE_DIR="$build/headers" -D xsimd_INCLUDE_DIR="$build/headers" \
   -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti \"-fmacro-prefix-map=$tree/=\" -include \"$tree/common/tools/playground/libcxx_13.hpp\""
-cmake --build "$build" --target playground --parallel 2
+cmake --build "$build" --target playground --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
 python3 "$tree/common/tools/playground/make_playground.py" "$build/bin" "$tree/assets" "$place"
 python3 "$tree/common/tools/playground/make_microscope.py" "$build/bin/microscope.wasm" "$place"
 [ "$place" != "$build/live" ] || {
