@@ -20,11 +20,11 @@ struct Row {
   /// Makes the work, and all that it needs; empty where this machine or this build cannot run it.
   /// Errors: std::runtime_error, where what is to be compared does not come out equal.
   std::function<Work()> prepare = {};
-  std::string note = {};  ///< what else is to be said about the line; the same in all rows of it
-  std::function<std::string()> find_note = {};  ///< where the note is a result, too
+  std::function<std::string()> find_note = {};  ///< what else comes out; the same in a whole line
 
   double time = std::numeric_limits<double>::quiet_NaN();   ///< in the group's unit; NaN: not run
   double ratio = std::numeric_limits<double>::quiet_NaN();  ///< to the base; NaN as well
+  std::string note = {};                                    ///< what find_note found
 };
 
 /// What the ratio of a row to the base of its set says.

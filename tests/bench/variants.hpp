@@ -54,8 +54,8 @@ inline const Variant in_float{"float", NumberKind::float_};
 ///              to something with run(variant)
 template <class Make>
 [[nodiscard]] Row row_of(const std::string& line, const std::string& set, const Variant& variant,
-                         double items, Make make, const std::string& note = "") {
-  Row row{.line = line, .column = variant.name, .set = set, .items = items, .note = note};
+                         double items, Make make) {
+  Row row{.line = line, .column = variant.name, .set = set, .items = items};
   if (!variant.is_here()) return row;
   row.prepare = [make, variant]() -> Work {
     auto ready = make();
