@@ -226,8 +226,8 @@ def check_files(place, browser):
             browser.run(f"""(() => {{
               const bytes = Uint8Array.from(
                 atob("{base64.b64encode(chosen.read_bytes()).decode()}"), (c) => c.charCodeAt(0));
-              for (const name of ["before.png", "{chosen.name}"]) {{  // the second counts,
-                although the first is still read
+              // The second counts, although the first is still read.
+              for (const name of ["before.png", "{chosen.name}"]) {{
                 const dataTransfer = new DataTransfer();
                 dataTransfer.items.add(new File([bytes], name));
                 {CANVAS}.dispatchEvent(new DragEvent("drop", {{dataTransfer, bubbles: true,
