@@ -11,10 +11,10 @@
 #include "engine/draw/settings.hpp"
 #include "engine/draw/threads.hpp"
 #include "math/color.hpp"
+#include "math/srgb.hpp"
 #include "number/dual.hpp"
 #include "number/uint.hpp"
 #include "scene/camera.hpp"
-#include "math/srgb.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
