@@ -20,7 +20,7 @@ enum class TexelFilter {
   bilinear,  ///< mixed from the four nearest, over the poles too
 };
 
-/// `bilinear_mix` at a place on an equirectangular map, which goes on over its poles at the other side.
+/// `bilinear_mix` on an equirectangular map, which goes on over its poles at the other side.
 ///
 /// @param texel_at  called with a column, and a row counted from v = 0, both in the map
 /// @param uv        u and v from 0 to 1
