@@ -3,6 +3,7 @@
 // an arc tangent, which packs round in their own way, tests/extremes searches with packs, too.
 #include <doctest.h>
 
+#include "math/srgb.hpp"
 #include "number/kinds/pack2.hpp"
 #include "published/look_up.hpp"
 #include "sampling/sampled_numbers.hpp"
@@ -188,7 +189,7 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
   law<Many>("texel_number of what may be NaN, srgb_encode", []<class Real>(const In<Real>& x) {
     return std::tuple(
         Real(texel_number(x[0] / floor(abs(x[1]) * Real(2)), 1000, TexelRounding::floor)),
-        srgb_encode(x[2].r * Real(1.1)));
+        srgb_encode(x[2] * Real(1.1)));
   });
   law<Many>("footprint_of", []<class Real>(const In<Real>& x) {
     const auto footprint =
