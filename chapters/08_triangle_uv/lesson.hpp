@@ -21,7 +21,7 @@ struct Lesson : MeshLesson {
 
   Stage stage{.camera = {.eye = {0, 2.4, 4.5}, .target = {0, -0.2, 0}, .fov_y_degrees = 45}};
   Lambertian surface{.ambient = 0.33, .diffuse = 0.67};
-  TexturedMesh scene;
+  MeshScene scene;
   Textured paint;
   TextureFile texture{"crate.png", "the picture on the mesh, a PNG or JPEG"};
   MeshOptions choice;

@@ -12,8 +12,8 @@ namespace {
 /// of float's errors, and below degree 23 double is no better than float.
 std::vector<int> degrees_for(NumberKind number) {
   if (number == NumberKind::extended) return {0};
-  if (is_float(number)) return {0, 5, 7, 9, 11, 13, 15, 17};
-  return {0, 23, 29, 35};
+  if (is_float(number)) return {0, 5, 9, 17};
+  return {0, 23, 35};
 }
 
 }  // namespace

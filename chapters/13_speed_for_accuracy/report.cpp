@@ -285,12 +285,8 @@ std::string recommendation(const Measurements& all, const Budget& budget, const 
 }
 
 std::vector<Plot> plots_of(const Measurements& all) {
-  // Of the polynomials some: what lies between them has a time between theirs.
-  const Rows places = all.some_of(Part::places, [](const Row& row) {
-    constexpr std::array degrees = {0, 5, 9, 17, 23, 35};
-    return row.variant.filter == Filter::nearest &&
-           std::find(degrees.begin(), degrees.end(), row.variant.degree) != degrees.end();
-  });
+  const Rows places = all.some_of(
+      Part::places, [](const Row& row) { return row.variant.filter == Filter::nearest; });
   const auto every = [](const Row& /*row*/) { return true; };
   const Row& sample = all.of(Part::samplers).front();
   return {with_rows({"The trade: each way to draw the globe, its time and how far off it can be",

@@ -1,12 +1,12 @@
 // A surface of triangles and the point where a ray first meets it.
 #pragma once
 #include <array>
-#include <bit>
+#include <concepts>
 #include <vector>
 
 #include "number/table.hpp"
+#include "scene/edge_function.hpp"
 #include "scene/hit.hpp"
-#include "scene/mesh_boxes.hpp"
 
 namespace texmap {
 
@@ -14,8 +14,6 @@ namespace texmap {
 struct Mesh {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;  ///< each with the indices of its corners
-  std::vector<MeshBoxes> boxes;               ///< empty: every ray tries all triangles
-  std::vector<MeshLeaf> leaves;               ///< the triangles again, as the boxes hold them
 
   /// A corner of a triangle, both counted from 0.
   [[nodiscard]] const Point& corner(int triangle, int number) const {
@@ -34,64 +32,26 @@ struct MeshHit : Hit<Real> {
   Real a = Real(1), b{}, c{};             ///< the weights of its corners, 0 to 1
 };
 
-/// Which boxes a ray tries first.
-enum class BoxOrder { nearest_first, any };
-
-/// Calls visit(number, crossing) for the triangles of a mesh that a ray crosses before `limit`, in
-/// any order; `visit` may change the limit. Leaves out a triangle that is `own` in all lanes.
+/// Calls visit(number, crossing) if a ray crosses this triangle; not if it is `own` in all lanes.
 template <class Real, class Visit>
-void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit,
-                       const Visit& visit, BoxOrder order = BoxOrder::nearest_first,
-                       const Real& own = Real(-1)) {
-  const RaySpace<Real> space(ray);
-  const auto visit_triangle = [&](int number) {
-    if (!any(!(own == Real(number)))) return;
-    const auto seen = [&](int corner) {
-      return seen_along(space, number_cast<Real>(mesh.corner(number, corner)));
-    };
-    const Crossing<Real> found = crossing(space, seen(0), seen(1), seen(2));
-    if (any(found.met)) visit(number, found);
+void visit_crossing(const Mesh& mesh, int number, const RaySpace<Real>& space, const Real& own,
+                    const Visit& visit) {
+  if (!any(!(own == Real(number)))) return;
+  const auto seen = [&](int corner) {
+    return seen_along(space, number_cast<Real>(mesh.corner(number, corner)));
   };
-  if (mesh.boxes.empty()) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) visit_triangle(static_cast<int>(i));
-    return;
-  }
-  using Number = typename BoxRay<Real>::Number;
-  const BoxRay<Real> box_ray(space, ray.direction);
-  Number end = box_ray.depth_of(limit);
-  // What is to be tried, the last one first: its depth, and what it is in MeshBoxes::inside.
-  std::array<Number, 7 * most_nested_boxes + 8> depth;
-  std::array<int, 7 * most_nested_boxes + 8> inside;
-  depth[0] = Number(0);
-  inside[0] = 0;
-  for (std::size_t count = 1; count > 0;) {
-    --count;
-    if (!any(depth[count] < end)) continue;
-    if (const int leaf = ~inside[count]; leaf >= 0) {
-      const MeshLeaf& four = mesh.leaves[static_cast<std::size_t>(leaf / 4)];
-      unsigned may = box_ray.may_meet(four) & ((2U << (leaf % 4)) - 1);
-      for (; may != 0; may &= may - 1)
-        visit_triangle(four.triangles[static_cast<std::size_t>(std::countr_zero(may))]);
-      end = box_ray.depth_of(limit);
-      continue;
-    }
-    const MeshBoxes& boxes = mesh.boxes[static_cast<std::size_t>(inside[count])];
-    std::array<Number, 8> depths;
-    unsigned entered = box_ray.enter(boxes, end, depths);
-    for (const std::size_t kept = count; entered != 0; entered &= entered - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(entered));
-      std::size_t to = count++;
-      const auto is_farther = [&] {
-        return order == BoxOrder::nearest_first && to > kept && any(depth[to - 1] < depths[i]);
-      };
-      for (; is_farther(); --to) {
-        depth[to] = depth[to - 1];
-        inside[to] = inside[to - 1];
-      }
-      depth[to] = depths[i];
-      inside[to] = boxes.inside[i];
-    }
-  }
+  const Crossing<Real> found = crossing(space, seen(0), seen(1), seen(2));
+  if (any(found.met)) visit(number, found);
+}
+
+/// Calls visit(number, crossing) for the triangles of a mesh that a ray crosses, but for its own.
+/// `visit` may lower the limit: kinds of meshes with a faster search leave out what lies beyond.
+template <class Real, class Visit>
+void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& /*limit*/,
+                       const Visit& visit, const Real& own = Real(-1)) {
+  const RaySpace<Real> space(ray);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    visit_crossing(mesh, static_cast<int>(i), space, own, visit);
 }
 
 /// The three corners of the triangle with a number.
@@ -112,8 +72,8 @@ template <class Real>
 /// The first triangle that a ray meets ahead of its origin; of several at one distance, that with
 /// the smallest number. The ray does not meet it again from `outside`, nor from `inside`.
 /// Domain: coordinates 0 or of 1e-6 to 1e6, directions of 0.1 to 1e6; at most 2^24 triangles.
-template <class Real>
-[[nodiscard]] MeshHit<Real> first_hit(const Mesh& mesh, const Ray<Real>& ray) {
+template <std::derived_from<Mesh> AnyMesh, class Real>
+[[nodiscard]] MeshHit<Real> first_hit(const AnyMesh& mesh, const Ray<Real>& ray) {
   MeshHit<Real> hit;
   Real nearest = infinity<Real>();
   for_each_crossing(mesh, ray, nearest, [&](int number, const Crossing<Real>& found) {
@@ -146,21 +106,22 @@ template <class Real>
 }
 
 /// The triangles of a mesh that can shadow a hit point: all but its own, in each lane.
-template <class Real>
+template <class AnyMesh, class Real>
 struct OtherTriangles {
-  const Mesh& mesh;
+  const AnyMesh& mesh;
   Real own;
   Mask<Real> lit;  ///< false: the ray met nothing, so there is no shadow to look for
 };
-template <class Real>
-[[nodiscard]] OtherTriangles<Real> others(const Mesh& mesh, const MeshHit<Real>& hit) {
+template <class AnyMesh, class Real>
+[[nodiscard]] OtherTriangles<AnyMesh, Real> others(const AnyMesh& mesh, const MeshHit<Real>& hit) {
   return {mesh, hit.triangle, hit.met};
 }
 
 /// True where one of these triangles lies between the ray's origin and `distance` along it.
-template <class Real>
-[[nodiscard]] Mask<Real> is_occluded(const OtherTriangles<Real>& others, const Ray<Real>& ray,
-                                     const Real& distance, int /*leaving*/ = -1) {
+template <class AnyMesh, class Real>
+[[nodiscard]] Mask<Real> is_occluded(const OtherTriangles<AnyMesh, Real>& others,
+                                     const Ray<Real>& ray, const Real& distance,
+                                     int /*leaving*/ = -1) {
   Mask<Real> hidden = mask_of<Real>(false);
   Real limit = select(others.lit, distance, -infinity<Real>());
   const auto visit = [&](int number, const Crossing<Real>& found) {
@@ -168,7 +129,7 @@ template <class Real>
                         found.distance < limit);
     limit = select(hidden, -infinity<Real>(), limit);  // the first triangle in the way decides
   };
-  for_each_crossing(others.mesh, ray, limit, visit, BoxOrder::any, others.own);
+  for_each_crossing(others.mesh, ray, limit, visit, others.own);
   return hidden;
 }
 

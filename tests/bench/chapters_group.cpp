@@ -90,9 +90,9 @@ void add_threads(Group& group, const std::string& line) {
 template <class Lesson>
 [[nodiscard]] Lesson of_torus(int sides, bool tree) {
   auto lesson = prepared<Lesson>({});
-  lesson.scene = test::torus(sides, sides);
-  lesson.paint.mapping.mapping = lesson.scene.mapping;
-  if (tree) build_box_tree(lesson.scene.mesh);
+  const TexturedMesh torus = test::torus(sides, sides);
+  lesson.scene.mesh = tree ? with_boxes(torus.mesh) : BoxedMesh{torus.mesh, {}, {}};
+  lesson.paint.mapping.mapping = torus.mapping;
   return lesson;
 }
 

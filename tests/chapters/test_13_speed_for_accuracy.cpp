@@ -260,7 +260,7 @@ TEST_CASE(
 TEST_CASE("the budget of a command takes the kernel it is for, on textures of all sizes") {
   for (const int width : {2, 64, 1000, 2048, 8192, 16384}) {
     const Image texture(width, width / 2);
-    for (const int degree : {0, 5, 7, 9, 11, 13, 15, 17, 23, 29, 35}) {
+    for (const int degree : {0, 5, 9, 17, 23, 35}) {
       const std::string text = budget_for(degree, texture);
       CAPTURE(text);
       CHECK(text.size() <= 20);

@@ -27,8 +27,8 @@ add_suite(engine/draw/test_certainty_map ON run LABELS extremes)
 # The kernels' coefficients against the program that fits them.
 if(TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64")  # the fit needs an 80-bit long double
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
-  target_link_libraries(check_kernels PRIVATE project_options)
-  add_test(NAME kernel_coefficients COMMAND check_kernels --check "${CMAKE_SOURCE_DIR}/common/engine/fast/coefficients.hpp")
+  target_link_libraries(check_kernels PRIVATE project_options common)
+  add_test(NAME kernel_coefficients COMMAND check_kernels)
 endif()
 
 # Each look-up instruction's own program: it has no other code, and does not run where the machine lacks the instructions.

@@ -32,7 +32,7 @@ std::vector<Candidate> for_each_degree(const Each& each) {
   [&]<int... Degree>(std::integer_sequence<int, Degree...>) {
     (each.template operator()<Degree>(all), ...);
   }
-  (std::integer_sequence<int, 5, 7, 9, 11, 13, 15, 17>());
+  (std::integer_sequence<int, 5, 9, 17>());
   return all;
 }
 
@@ -184,8 +184,7 @@ Candidate power_of(double n) {
 
 TEST_CASE("powers keep their bound for every versine, and the versine of every cosine") {
   const auto check = [](const Inputs& versines, double n) {
-    check_all(versines, exact_power(n),
-              {power_of<3>(n), power_of<4>(n), power_of<6>(n), power_of<8>(n)});
+    check_all(versines, exact_power(n), {power_of<3>(n), power_of<6>(n)});
   };
   for (const double n : {5., 100.}) check(every_float(low, 1), n);
   for (const double n :

@@ -15,8 +15,8 @@ struct CrossingCount {
   Real ahead = Real(0);  ///< of both, those ahead of the ray's origin
 };
 
-template <class Real>
-[[nodiscard]] CrossingCount<Real> count_crossings(const Mesh& mesh, const Ray<Real>& ray) {
+template <class AnyMesh, class Real>
+[[nodiscard]] CrossingCount<Real> count_crossings(const AnyMesh& mesh, const Ray<Real>& ray) {
   CrossingCount<Real> count;
   for_each_crossing(mesh, ray, infinity<Real>(), [&](int, const Crossing<Real>& found) {
     const auto one_where = [](const Mask<Real>& mask) { return select(mask, Real(1), Real(0)); };

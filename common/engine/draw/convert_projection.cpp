@@ -164,7 +164,7 @@ Image convert_projection(const Image& image, Projection from, Projection to,
         }
       }
       for (std::size_t k = 0; k < count; ++k) {  // apart: compilers then calculate several at once
-        places[k] = from == Projection::equirect ? FastUnitMapping<29>{}(directions[k])
+        places[k] = from == Projection::equirect ? FastUnitMapping<35>{}(directions[k])
                                                  : project(from, directions[k]);
       }
       Color<double> sum{};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace texmap {
@@ -47,7 +48,7 @@ struct Group : Bounds {
 
 class Builder {
  public:
-  explicit Builder(Mesh& mesh) : mesh_(mesh), triangles_(mesh.triangles.size()) {
+  explicit Builder(BoxedMesh& mesh) : mesh_(mesh), triangles_(mesh.triangles.size()) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
       Numbered& triangle = triangles_[i];
@@ -65,8 +66,6 @@ class Builder {
   }
 
   void build() {
-    mesh_.boxes.clear();
-    mesh_.leaves.clear();
     mesh_.leaves.reserve(triangles_.size() / 3);  // most leaves are full
     if (!triangles_.empty()) add_boxes(group_of(0, static_cast<int>(triangles_.size())), 0);
   }
@@ -104,13 +103,12 @@ class Builder {
     mesh_.boxes.emplace_back();
     for (std::size_t i = 0; i < 8; ++i) {
       const Group group = i < groups.size() ? groups[i] : Group{{}, 0, 0};
-      const bool has_boxes = group.size() > few;
-      int inside = static_cast<int>(mesh_.boxes.size());
-      if (has_boxes) {
+      InBox inside{};
+      if (group.size() > few) {
+        inside.place = static_cast<int>(mesh_.boxes.size());
         add_boxes(group, depth + 1);
       } else if (group.size() > 0) {
-        inside = ~(4 * static_cast<int>(mesh_.leaves.size()) + group.size() - 1);
-        add_leaf(group);
+        inside = leaf_of(group);
       }
       float margin = i < groups.size() ? 0 : std::numeric_limits<float>::quiet_NaN();
       for (std::size_t k = 0; k < 3; ++k) {
@@ -126,7 +124,8 @@ class Builder {
     }
   }
 
-  void add_leaf(const Group& group) {
+  InBox leaf_of(const Group& group) {
+    const int place = static_cast<int>(mesh_.leaves.size());
     MeshLeaf& leaf = mesh_.leaves.emplace_back();
     for (std::size_t i = 0; i < static_cast<std::size_t>(group.size()); ++i) {
       leaf.triangles[i] = triangles_[static_cast<std::size_t>(group.first) + i].triangle;
@@ -138,6 +137,7 @@ class Builder {
         at[8 + i] = static_cast<float>(p.z);
       }
     }
+    return {place, group.size()};
   }
 
   // Sorts the triangles of a group into two; gives the place where the second begins.
@@ -201,12 +201,16 @@ class Builder {
     return static_cast<int>(middle - triangles_.begin());
   }
 
-  Mesh& mesh_;
+  BoxedMesh& mesh_;
   std::vector<Numbered> triangles_;
 };
 
 }  // namespace
 
-void build_box_tree(Mesh& mesh) { Builder(mesh).build(); }
+BoxedMesh with_boxes(Mesh mesh) {
+  BoxedMesh boxed{std::move(mesh), {}, {}};
+  Builder(boxed).build();
+  return boxed;
+}
 
 }  // namespace texmap

@@ -1,4 +1,5 @@
-// Polynomials for the kernels. tools/fit_kernels.cpp writes this file: change that one.
+// Polynomials for the kernels, as tools/fit_kernels.cpp finds them; a test checks that they are the
+// best.
 #pragma once
 #include <array>
 
@@ -17,37 +18,11 @@ template <> struct ArcTangent<3> {
   static constexpr std::array<long double, 3> powers = {
       1.58416138641722169234e-01L, -4.59464783980314565038e-02L, 1.26272006199542793525e-02L};
 };
-template <> struct ArcTangent<4> {
-  static constexpr double worst = 1.3e-05, rounding = 0.34;
-  static constexpr std::array<long double, 4> powers = {
-      1.59029817477584063190e-01L, -5.11165839693255140096e-02L, 2.32787123880828129897e-02L,
-      -6.20489644635138958873e-03L};
-};
 template <> struct ArcTangent<5> {
   static constexpr double worst = 1.9e-06, rounding = 0.39;
   static constexpr std::array<long double, 5> powers = {
       1.59133668765030163050e-01L, -5.25696393340316875846e-02L, 2.86732422662419263965e-02L,
       -1.35530541466506439316e-02L, 3.31760294984577007607e-03L};
-};
-template <> struct ArcTangent<6> {
-  static constexpr double worst = 2.7e-07, rounding = 0.41;
-  static constexpr std::array<long double, 6> powers = {
-      1.59151317395729224215e-01L, -5.29385672348973247960e-02L, 3.08029074873473909905e-02L,
-      -1.85298499781063373760e-02L, 8.37908608282473513222e-03L, -1.86515832569523099738e-03L};
-};
-template <> struct ArcTangent<7> {
-  static constexpr double worst = 4.0e-08, rounding = 0.44;
-  static constexpr std::array<long double, 7> powers = {
-      1.59154324225750951906e-01L, -5.30262381651982206737e-02L, 3.15251175702806285185e-02L,
-      -2.10615180037185210876e-02L, 1.26725009000918662802e-02L, -5.34827768521474826772e-03L,
-      1.08413053139122768476e-03L};
-};
-template <> struct ArcTangent<8> {
-  static constexpr double worst = 6.0e-09, rounding = 0.51;
-  static constexpr std::array<long double, 8> powers = {
-      1.59154837345892870605e-01L, -5.30461209635607028059e-02L, 3.17459452078672436841e-02L,
-      -2.21362714312957388157e-02L, 1.53460336388817914790e-02L, -8.89872314606679140241e-03L,
-      3.47959779126840521359e-03L, -6.45304407571140159676e-04L};
 };
 template <> struct ArcTangent<9> {
   static constexpr double worst = 9.2e-10, rounding = 0.51;
@@ -63,15 +38,6 @@ template <> struct ArcTangent<12> {
       -2.27313865357366841286e-02L, 1.76402104266696656606e-02L, -1.42302319434644292481e-02L,
       1.13685563433024171057e-02L, -8.35795131889721216500e-03L, 5.12997230800177062496e-03L,
       -2.34295431822797621539e-03L, 6.83355038520262664357e-04L, -9.35353494583723250902e-05L};
-};
-template <> struct ArcTangent<15> {
-  static constexpr double worst = 1.5e-14, rounding = 0.75;
-  static constexpr std::array<long double, 15> powers = {
-      1.59154943091439411408e-01L, -5.30516476206660248356e-02L, 3.18309847799418573950e-02L,
-      -2.27363301087422716516e-02L, 1.76826673564697664412e-02L, -1.44582179854031118770e-02L,
-      1.21818784152273191419e-02L, -1.03570740513320755200e-02L, 8.58481479062692602324e-03L,
-      -6.57282191235402851596e-03L, 4.33672826803067885078e-03L, -2.27934767634133504082e-03L,
-      8.69999766988152657732e-04L, -2.10575571677570225114e-04L, 2.39984578066565545905e-05L};
 };
 template <> struct ArcTangent<18> {
   static constexpr double worst = 6.1e-17, rounding = 0.88;
@@ -94,39 +60,11 @@ template <> struct ArcCosine<4> {
       4.99812223324232442027e-01L, -3.10137353871440090444e-01L, 1.92736303871740093238e-01L,
       -6.52637771651731069864e-02L};
 };
-template <> struct ArcCosine<5> {
-  static constexpr double worst = 3.0e-05, rounding = 2;
-  static constexpr std::array<long double, 5> powers = {
-      4.99970695117368227545e-01L, -3.16424936437027094327e-01L, 2.30284879883685170515e-01L,
-      -1.35136381808131718010e-01L, 3.98383345472467919518e-02L};
-};
 template <> struct ArcCosine<6> {
   static constexpr double worst = 4.7e-06, rounding = 2;
   static constexpr std::array<long double, 6> powers = {
       4.99995356903667637988e-01L, -3.17896053344311351369e-01L, 2.43964816601759012279e-01L,
       -1.78799861742318460549e-01L, 9.58704540352802761879e-02L, -2.48666599311323792668e-02L};
-};
-template <> struct ArcCosine<7> {
-  static constexpr double worst = 7.5e-07, rounding = 2;
-  static constexpr std::array<long double, 7> powers = {
-      4.99999256238542517304e-01L, -3.18222166954013198240e-01L, 2.48300175644123119538e-01L,
-      -1.99565030940228297873e-01L, 1.40294702442345453248e-01L, -6.82478886548975684616e-02L,
-      1.57585892111718573997e-02L};
-};
-template <> struct ArcCosine<9> {
-  static constexpr double worst = 2.0e-08, rounding = 2;
-  static constexpr std::array<long double, 9> powers = {
-      4.99999980468990519770e-01L, -3.18306222714964902863e-01L, 2.49886532158583401844e-01L,
-      -2.10838807209523372490e-01L, 1.79052420663156147565e-01L, -1.39181343634354941929e-01L,
-      8.57479731227137586391e-02L, -3.45736040960842784140e-02L, 6.52321611913000620651e-03L};
-};
-template <> struct ArcCosine<10> {
-  static constexpr double worst = 3.2e-09, rounding = 2;
-  static constexpr std::array<long double, 10> powers = {
-      4.99999996808019423389e-01L, -3.18309157164364916657e-01L, 2.49972463404174903326e-01L,
-      -2.11799953474663524771e-01L, 1.84401603031058893201e-01L, -1.55808416054202251920e-01L,
-      1.15956370770238741686e-01L, -6.64214490196562927149e-02L, 2.45603789383224787834e-02L,
-      -4.24199784303579485962e-03L};
 };
 template <> struct ArcCosine<11> {
   static constexpr double worst = 5.3e-10, rounding = 2;
@@ -144,16 +82,6 @@ template <> struct ArcCosine<15> {
       1.55639671017834998299e-01L, -1.42620307185073599224e-01L, 1.26794961624881286121e-01L,
       -1.03975433768475734856e-01L, 7.34523380630297837373e-02L, -4.13000538311865827419e-02L,
       1.68338170110369972612e-02L, -4.34029676347732188347e-03L, 5.25434371151637091169e-04L};
-};
-template <> struct ArcCosine<18> {
-  static constexpr double worst = 1.9e-15, rounding = 2.2;
-  static constexpr std::array<long double, 18> powers = {
-      4.99999999999998183528e-01L, -3.18309886182521001107e-01L, 2.49999999852481363832e-01L,
-      -2.12206583987663517234e-01L, 1.87499834214831069779e-01L, -1.69762804524321043510e-01L,
-      1.56225540238328069608e-01L, -1.45342363483598600453e-01L, 1.35845847539845315070e-01L,
-      -1.25980696890151511031e-01L, 1.13054304417775110237e-01L, -9.42847062097587356491e-02L,
-      6.93580086518659123823e-02L, -4.24448993097746387921e-02L, 2.02545761059781095037e-02L,
-      -6.95147841993603903061e-03L, 1.51005530111511275163e-03L, -1.54861130749653076529e-04L};
 };
 template <> struct ArcCosine<21> {
   static constexpr double worst = 8.6e-18, rounding = 2.4;
@@ -175,24 +103,11 @@ template <> struct Logarithm<3> {
   static constexpr std::array<long double, 3> powers = {
       -1.44601151911769247474e+00L, -6.11017258264554814751e-01L, -9.75528946731064515669e-01L};
 };
-template <> struct Logarithm<4> {
-  static constexpr double worst = 3.2e-04, rounding = 1.4;
-  static constexpr std::array<long double, 4> powers = {
-      -1.44224427270588620963e+00L, -7.48482680012906264212e-01L, -2.37085673752040810788e-01L,
-      -9.88944571674226222081e-01L};
-};
 template <> struct Logarithm<6> {
   static constexpr double worst = 6.5e-06, rounding = 1.8;
   static constexpr std::array<long double, 6> powers = {
       -1.44268567605472607606e+00L, -7.22639378922110142505e-01L, -4.52531745580039758685e-01L,
       -5.81929498341148426473e-01L, 4.48813556036748649699e-01L, -1.22106802022291569443e+00L};
-};
-template <> struct Logarithm<8> {
-  static constexpr double worst = 1.5e-07, rounding = 1.8;
-  static constexpr std::array<long double, 8> powers = {
-      -1.44269482798652965219e+00L, -7.21400241187554398131e-01L, -4.78776555591012013049e-01L,
-      -3.92774506241811010264e-01L, -5.48484403033890533961e-02L, -1.13313753870348622645e+00L,
-      1.56033280849863104642e+00L, -1.70949486407881412269e+00L};
 };
 
 /// (2^y - 1) / y by powers of y, for y from -1 to 0. `worst` is that of (2^y)^16,
@@ -208,12 +123,6 @@ template <> struct Exponential<3> {
   static constexpr double worst = 6.1e-06, rounding = 8.8;
   static constexpr std::array<long double, 3> powers = {
       6.93105951557001032559e-01L, 2.39205832696528265612e-01L, 4.94782325466040235197e-02L};
-};
-template <> struct Exponential<4> {
-  static constexpr double worst = 1.8e-07, rounding = 8.8;
-  static constexpr std::array<long double, 4> powers = {
-      6.93145702170059721460e-01L, 2.40177572361783950286e-01L, 5.50717156393705357534e-02L,
-      8.28470931298006309776e-03L};
 };
 
 /// 255 (1.055 r^(5/6) - 0.055) by powers of r, for r from the root of 0.0031308 to 1.

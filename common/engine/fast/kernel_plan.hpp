@@ -68,22 +68,12 @@ decltype(auto) with_uv_mapping(int degree, const Draw& draw) {
   switch (degree) {
     case 5:
       return draw(FastUnitMapping<5>{});
-    case 7:
-      return draw(FastUnitMapping<7>{});
     case 9:
       return draw(FastUnitMapping<9>{});
-    case 11:
-      return draw(FastUnitMapping<11>{});
-    case 13:
-      return draw(FastUnitMapping<13>{});
-    case 15:
-      return draw(FastUnitMapping<15>{});
     case 17:
       return draw(FastUnitMapping<17>{});
     case 23:
       return draw(FastUnitMapping<23>{});
-    case 29:
-      return draw(FastUnitMapping<29>{});
     case 35:
       return draw(FastUnitMapping<35>{});
     default:
@@ -104,7 +94,7 @@ struct PlannedMapping {
   }
 
  private:
-  /// Out of line: ten mappings inlined into every loop take minutes to compile.
+  /// Out of line: five mappings inlined into every loop take minutes to compile.
   template <class Real>
   [[nodiscard]] TEXMAP_NOINLINE Uv<Real> by_polynomial(const Vec3<Real>& p) const {
     return with_uv_mapping(degree, [&p](const auto& mapping) { return mapping(p); });
@@ -123,22 +113,13 @@ struct PlannedTexture {
 
 /// Phong's power by the plan's kernel.
 struct PlannedPower {
-  int terms;  ///< 3, 4, 6 or 8
+  int terms;  ///< 3 or 6
   double exponent;
 
   /// @param versine  1 - cos, 0 or more
   template <class Real>
   [[nodiscard]] Real operator()(const Real& versine) const {
-    switch (terms) {
-      case 3:
-        return PowerKernel<3>(exponent)(versine);
-      case 4:
-        return PowerKernel<4>(exponent)(versine);
-      case 6:
-        return PowerKernel<6>(exponent)(versine);
-      default:
-        return PowerKernel<8>(exponent)(versine);
-    }
+    return terms == 3 ? PowerKernel<3>(exponent)(versine) : PowerKernel<6>(exponent)(versine);
   }
 };
 

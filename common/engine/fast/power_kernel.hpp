@@ -7,11 +7,11 @@ namespace texmap {
 /// cos^s for one exponent s, as 2^x with x = s log2(cos): 0 below 2^-16, a 250th of a level.
 /// docs/numerics.md says how the arguments of both polynomials are reduced.
 ///
-/// @tparam Terms  of the logarithm: 3, 4, 6 or 8
+/// @tparam Terms  of the logarithm: 3 or 6
 template <int Terms>
 class PowerKernel {
   using LogarithmFit = fits::Logarithm<Terms>;
-  using ExponentialFit = fits::Exponential<Terms == 3 ? 2 : Terms == 8 ? 4 : 3>;
+  using ExponentialFit = fits::Exponential<Terms == 3 ? 2 : 3>;
 
  public:
   /// What rounding adds, in epsilons, for every s: docs/numerics.md has the sum.

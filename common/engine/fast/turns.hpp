@@ -7,13 +7,13 @@
 
 namespace texmap {
 
-/// The fit of an arc tangent of odd degree 5, 7, ... 17, 23, 29 or 35.
+/// The fit of an arc tangent of degree 5, 9, 17, 23 or 35.
 template <int Degree>
 using ArcTangentFit = fits::ArcTangent<(Degree + 1) / 2>;
 
 /// The arc cosine for an arc tangent of that degree: about equally good on a texture 2:1.
 template <int Degree>
-using ArcCosineFit = fits::ArcCosine<(Degree + 1) / 2 + (Degree < 13   ? 1
+using ArcCosineFit = fits::ArcCosine<(Degree + 1) / 2 + (Degree < 17   ? 1
                                                          : Degree < 23 ? 2
                                                                        : 3)>;
 

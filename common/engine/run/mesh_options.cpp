@@ -2,8 +2,8 @@
 #include "engine/run/mesh_options.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "engine/fast/box_tree.hpp"
 #include "engine/files/read_obj.hpp"
 #include "engine/files/system.hpp"
 #include "engine/run/chosen.hpp"
@@ -45,7 +45,7 @@ void MeshOptions::declare(Offer& offer) {
   uv.declare(offer);
 }
 
-TexturedMesh MeshOptions::load(const Chosen& chosen) const {
+MeshScene MeshOptions::load(const Chosen& chosen) const {
   const RotationY rotation = rotation_y(degrees);
   std::string skipped;
   TexturedMesh scene = file.empty() ? crate() : load_obj(path_of(file), &skipped);
@@ -55,8 +55,9 @@ TexturedMesh MeshOptions::load(const Chosen& chosen) const {
   for (Point& p : scene.mesh.points) p = rotation(p);
   constexpr double reach = 9;
   add_floor(scene, reach);
-  if (scene.mesh.triangles.size() > most_in_a_list) build_box_tree(scene.mesh);
-  return scene;
+  const bool is_small = scene.mesh.triangles.size() <= most_in_a_list;
+  return {is_small ? BoxedMesh{std::move(scene.mesh), {}, {}} : with_boxes(std::move(scene.mesh)),
+          std::move(scene.mapping)};
 }
 
 }  // namespace texmap

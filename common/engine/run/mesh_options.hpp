@@ -4,6 +4,7 @@
 
 #include "engine/draw/kinds.hpp"
 #include "engine/draw/lesson.hpp"
+#include "engine/fast/box_tree.hpp"
 #include "engine/run/uv_options.hpp"
 #include "published/mesh_weights.hpp"
 #include "texture/mesh_mapping.hpp"
@@ -19,6 +20,12 @@ enum class WeightsFormula {
   heron,         ///< the triangle article: areas from side lengths
 };
 
+/// A mesh, with boxes if it is large, and the (u, v) of its corners.
+struct MeshScene {
+  BoxedMesh mesh;
+  MeshMapping mapping;
+};
+
 /// The user's choices of a mesh and of what its corners' (u, v) mean.
 struct MeshOptions {
   double degrees = -25;  ///< turn of the mesh about +y
@@ -29,7 +36,7 @@ struct MeshOptions {
   void declare(Offer& offer);
   /// The crate or the file's mesh, as large and turned, on a floor; says what it left out.
   /// Errors: FileError with the file and the line.
-  [[nodiscard]] TexturedMesh load(const Chosen& chosen) const;
+  [[nodiscard]] MeshScene load(const Chosen& chosen) const;
 
   /// The hit with the weights of the chosen formula.
   template <class Real>

@@ -9,8 +9,7 @@ for (const trade of document.querySelectorAll(".trade")) {
   };
   const {places} = JSON.parse(trade.querySelector("script").textContent);
   const {instructions} = places[places.length - 1]; // the widest
-  const ways = places.filter((one) => one.filter === "nearest"
-    && [0, 5, 9, 17, 23, 35].includes(one.degree) &&
+  const ways = places.filter((one) => one.filter === "nearest" &&
     (one.instructions === instructions || !one.number.endsWith("pack")));
   const nameOf = ({number, degree}) => `${number}, ${degree ? `degree ${degree}` : "atan2"}`;
   // Where a value is on an axis, 0 to 1: the axis is logarithmic, and 6 % at its ends are free.

@@ -10,7 +10,7 @@ struct TriangleUv {
   template <class State>
   [[nodiscard]] Members look(const State& state, int column, int row) const {
     const chapter_08::Lesson& lesson = state.lesson;
-    const Mesh& mesh = lesson.scene.mesh;
+    const BoxedMesh& mesh = lesson.scene.mesh;
     const Ray<double> ray = ray_through(state.whole, double(column), double(row));
     const MeshHit<double> hit = lesson.choice.weighted(mesh, first_hit(mesh, ray));
     if (!hit.met) return {{"rows", Json::list({fact({"hit", "nothing: the sky"})})}};

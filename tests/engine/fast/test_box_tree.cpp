@@ -11,14 +11,9 @@
 namespace texmap::test {
 namespace {
 
-Mesh with_tree(Mesh mesh) {
-  build_box_tree(mesh);
-  return mesh;
-}
-
 /// Rays that meet other things with the tree than without, to the last bit.
 template <class Real>
-long count_lost(const Mesh& list, const Mesh& tree, long rays, double reach) {
+long count_lost(const Mesh& list, const BoxedMesh& tree, long rays, double reach) {
   Dice dice;
   long different = 0;
   for (long i = 0; i < rays; ++i) {
@@ -45,25 +40,25 @@ long count_lost(const Mesh& list, const Mesh& tree, long rays, double reach) {
 TEST_CASE_TEMPLATE("the tree meets what the list meets, to the last bit", Real, float, double,
                    long double) {
   const Mesh ring = torus(20, 12).mesh;
-  CHECK(count_lost<Real>(ring, with_tree(ring), 4000, 3) == 0);
+  CHECK(count_lost<Real>(ring, with_boxes(ring), 4000, 3) == 0);
   // Far from the origin, where rounding moves every point.
   Mesh far = ring;
   for (Point& p : far.points) p = p + Point{1000, -3000, 500};
-  CHECK(count_lost<Real>(far, with_tree(far), 4000, 4000) == 0);
+  CHECK(count_lost<Real>(far, with_boxes(far), 4000, 4000) == 0);
   // Small and large: the boxes' margins follow.
   for (const double scale : {1e-6, 1e5}) {
     Mesh scaled = ring;
     for (Point& p : scaled.points) p = p * scale;
-    CHECK(count_lost<Real>(scaled, with_tree(scaled), 4000, 3 * scale) == 0);
+    CHECK(count_lost<Real>(scaled, with_boxes(scaled), 4000, 3 * scale) == 0);
   }
   // In planes along the axes the boxes are flat.
   const Mesh cube = crate().mesh;
-  CHECK(count_lost<Real>(cube, with_tree(cube), 4000, 3) == 0);
+  CHECK(count_lost<Real>(cube, with_boxes(cube), 4000, 3) == 0);
 }
 
 TEST_CASE_TEMPLATE("a million triangles: no ray slips through, none is counted twice", Real, float,
                    double, Pack2<Pack<float>>) {
-  static const Mesh ball = with_tree(globe(1000, 500));
+  static const BoxedMesh ball = with_boxes(globe(1000, 500));
   REQUIRE(ball.triangles.size() == 998'000);
   Dice dice;
   long wrong = 0;
@@ -77,7 +72,7 @@ TEST_CASE_TEMPLATE("a million triangles: no ray slips through, none is counted t
   const std::size_t bytes =
       ball.boxes.size() * sizeof(MeshBoxes) + ball.leaves.size() * sizeof(MeshLeaf) +
       ball.points.size() * sizeof(Point) + ball.triangles.size() * sizeof(ball.triangles[0]);
-  CHECK(bytes < 100 * ball.triangles.size());  // as build_box_tree states
+  CHECK(bytes < 100 * ball.triangles.size());  // as with_boxes states
 }
 
 TEST_CASE("triangles that grow by powers of two nest no deeper than rays can follow") {
@@ -88,7 +83,7 @@ TEST_CASE("triangles that grow by powers of two nest no deeper than rays can fol
     nested.points.insert(nested.points.end(), {{size, 0, 0}, {0, size, 0}, {0, 0, size}});
     nested.triangles.push_back({first, first + 1, first + 2});
   }
-  const Mesh tree = with_tree(nested);
+  const BoxedMesh tree = with_boxes(nested);
   CHECK(count_lost<double>(nested, tree, 1000, 2) == 0);
 }
 
@@ -96,21 +91,21 @@ TEST_CASE("triangles at one place, flat ones and none at all have a tree, too") 
   Mesh same;
   same.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   same.triangles.assign(1000, {0, 1, 2});
-  const Mesh tree = with_tree(same);
+  const BoxedMesh tree = with_boxes(same);
   const MeshHit<double> hit = first_hit(tree, Ray<double>{{0.25, 0.25, 1}, {0, 0, -1}});
   CHECK(hit.met);
   CHECK(hit.triangle == 0);  // of several at one distance, the first
   Mesh point;
   point.points = {{1, 2, 3}};
   point.triangles.assign(100, {0, 0, 0});
-  CHECK_FALSE(first_hit(with_tree(point), Ray<double>{{0, 0, 0}, {1, 2, 3}}).met);
-  CHECK(with_tree(Mesh{}).boxes.empty());
+  CHECK_FALSE(first_hit(with_boxes(point), Ray<double>{{0, 0, 0}, {1, 2, 3}}).met);
+  CHECK(with_boxes(Mesh{}).boxes.empty());
 }
 
 TEST_CASE_TEMPLATE("each lane meets in the tree what a plain ray meets", Many, Pack<float>,
                    Pack2<Pack<double>>) {
   Dice dice;
-  const Mesh tree = with_tree(torus(20, 12).mesh);
+  const BoxedMesh tree = with_boxes(torus(20, 12).mesh);
   for (int i = 0; i < 500; ++i) {
     const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
                                       [&] { return point_on_edge(dice, tree); });

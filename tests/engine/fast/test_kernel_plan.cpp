@@ -12,7 +12,7 @@
 namespace texmap::test {
 namespace {
 
-constexpr int degrees[] = {5, 7, 9, 11, 13, 15, 17, 23, 29, 35};
+constexpr int degrees[] = {5, 9, 17, 23, 35};
 
 /// The stated worst error of the mapping of a degree; none for the reference.
 template <class T>
@@ -63,7 +63,7 @@ TEST_CASE_TEMPLATE(
     const auto p = dice.direction<double>();
     off = std::max(off, apart(PlannedMapping{5}(p).u, uv_rtiow(p).u));
   }
-  CHECK(off > worst_of_degree<double>(7).u);
+  CHECK(off > worst_of_degree<double>(9).u);
 }
 
 TEST_CASE(
@@ -96,11 +96,11 @@ TEST_CASE("known budgets buy known kernels, which keep them, and the next cheape
     int width, height, degree;
   };
   const Row table[] = {
-      {"texels=0.01", 8192, 4096, 11},   {"texels=0.001", 8192, 4096, 13},
+      {"texels=0.01", 8192, 4096, 17},   {"texels=0.001", 8192, 4096, 17},
       {"texels=0.01", 1024, 512, 9},     {"texels=0.5", 1024, 512, 5},
-      {"texels=0.01", 4096, 8192, 11},   {"texels=100", 1, 8192, 5},
-      {"levels=1", 1024, 512, 11},       {"levels=1", 8192, 4096, 13},
-      {"texels=0.0001", 8192, 4096, 23}, {"texels=1e-9", 8192, 4096, 29},
+      {"texels=0.01", 4096, 8192, 17},   {"texels=100", 1, 8192, 5},
+      {"levels=1", 1024, 512, 17},       {"levels=1", 8192, 4096, 17},
+      {"texels=0.0001", 8192, 4096, 23}, {"texels=1e-9", 8192, 4096, 35},
       {"texels=1e-14", 8192, 4096, 0},   {"exact", 2, 1, 0},
   };
   for (const Row& row : table) {
@@ -135,16 +135,12 @@ TEST_CASE("a highlight is as cheap as a budget of levels allows, and otherwise e
     CHECK(bought(worst) == terms);
     CHECK(bought(std::nextafter(worst, 0)) == next);
   };
-  power(PowerKernel<3>::worst_levels<float>, 3, 4);
-  power(PowerKernel<4>::worst_levels<float>, 4, 6);
-  power(PowerKernel<6>::worst_levels<float>, 6, 8);
-  power(PowerKernel<8>::worst_levels<float>, 8, 0);
+  power(PowerKernel<3>::worst_levels<float>, 3, 6);
+  power(PowerKernel<6>::worst_levels<float>, 6, 0);
   for (const double versine : {0.0, 0.001, 0.02, 0.5}) {
     const auto by = [versine](int terms) { return PlannedPower{terms, 50}(versine); };
     CHECK(by(3) == PowerKernel<3>(50)(versine));
-    CHECK(by(4) == PowerKernel<4>(50)(versine));
     CHECK(by(6) == PowerKernel<6>(50)(versine));
-    CHECK(by(8) == PowerKernel<8>(50)(versine));
   }
 }
 
@@ -197,10 +193,10 @@ TEST_CASE("a plan says in a line each what was chosen") {
         "(u, v) for exact on 64x32: the reference formula in double, at cost 1\n");
   CHECK(plan_surface(parse_budget("texels=0.04"), Image(8192, 4096), 0).text ==
         "texels for exact: as they are, decoded by a table\n"
-        "(u, v) for texels=0.01 on 8192x4096: polynomials in float, arc tangent of degree 11, unit "
-        "vectors; at worst 0.004 texels and 1.7 levels; 0.029 of the reference's time\n"
+        "(u, v) for texels=0.01 on 8192x4096: polynomials in float, arc tangent of degree 17, unit "
+        "vectors; at worst 0.0009 texels and 0.38 levels; 0.039 of the reference's time\n"
         "pixels for texels=0.04: polynomials through nine probes for each that bends the picture "
-        "by less than 0.00012; at worst 0.04 texels with (u, v)\n");
+        "by less than 0.00015; at worst 0.04 texels with (u, v)\n");
   CHECK(plan_highlight(parse_budget("levels=1"))
             .text.find("Phong's power for levels=1: a "
                        "polynomial of 3 terms; at worst ") == 0);

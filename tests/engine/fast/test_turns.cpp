@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("on the axes u is exactly uv_rtiow's, and at the poles v is, 
   const auto check = [](double x, double y, double z) {
     const Vec3<Real> p{Real(x), Real(y), Real(z)};
     const Uv<Real> exact = uv_rtiow(p);
-    const Uv<Real> fast = FastUnitMapping<13>{}(p);
+    const Uv<Real> fast = FastUnitMapping<17>{}(p);
     CAPTURE(x);
     CAPTURE(y);
     CAPTURE(z);
@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("a turn is in [0, 1) for any finite vector, and only its dire
                    Real, TEXMAP_KERNEL_NUMBERS) {
   using T = Scalar<Real>;
   const auto turn = [](T x, T y) {
-    return lane(turn_of_parts<13>(Real(y), abs(Real(x)), Real(x) > Real(0)), lanes<Real> - 1);
+    return lane(turn_of_parts<17>(Real(y), abs(Real(x)), Real(x) > Real(0)), lanes<Real> - 1);
   };
   for (const T x : hard_finite_numbers<T>()) {
     for (const T y : hard_finite_numbers<T>()) {

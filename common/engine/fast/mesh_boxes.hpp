@@ -4,18 +4,23 @@
 #include <concepts>
 #include <type_traits>
 
-#include "number/four_floats.hpp"
+#include "engine/fast/four_floats.hpp"
 #include "scene/edge_function.hpp"
 
 namespace texmap {
 
+/// What a box holds: eight boxes, or a leaf of triangles.
+struct InBox {
+  int place;      ///< in BoxedMesh::boxes, or in BoxedMesh::leaves
+  int triangles;  ///< of the leaf, 1 to 4; 0: eight boxes
+};
 /// Eight boxes with edges along the axes, each larger than what it holds by `box_margin` of its
-/// largest coordinate. A box holds a leaf or eight other boxes.
+/// largest coordinate.
 struct alignas(32) MeshBoxes {
   std::array<float, 48> sides;  ///< eight low ones of x, then y, z, then the high ones; NaN: no box
-  std::array<int, 8> inside;    ///< a place in Mesh::boxes, or ~(4 place in Mesh::leaves + rest)
+  std::array<InBox, 8> inside;
 };
-/// One to four triangles: 1 + the rest in MeshBoxes::inside.
+/// Up to four triangles.
 struct alignas(32) MeshLeaf {
   std::array<std::array<float, 12>, 3> corners;  ///< of each corner, rounded: four x, y, z
   std::array<int, 4> triangles;                  ///< numbers in Mesh::triangles
