@@ -7,7 +7,7 @@
 #include "math/rotation.hpp"
 #include "number/table.hpp"
 #include "scene/ray.hpp"
-#include "texture/bilinear.hpp"
+#include "texture/bilinear_mix.hpp"
 #include "texture/light_image.hpp"
 #include "texture/texel.hpp"
 #include "texture/uv.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "number/table.hpp"
-#include "texture/bilinear.hpp"
+#include "texture/bilinear_mix.hpp"
 #include "texture/light_image.hpp"
 #include "texture/wrap.hpp"
 

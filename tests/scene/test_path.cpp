@@ -68,6 +68,42 @@ TEST_CASE_TEMPLATE(
   }
 }
 
+/// A path as page 07 shows it, in plain C++.
+struct PlainPath {
+  const std::vector<Object>& objects;
+  const GradientSky& sky;
+  Planned<double>& random;
+
+  Rgb light(const Ray<double>& ray, int bounces) {
+    const Nearest<double> nearest = find_nearest(objects, ray);
+    if (nearest.distance == infinity<double>()) return sky(ray);
+    if (bounces == 0) return {0, 0, 0};
+    const Object& object = objects[static_cast<std::size_t>(nearest.index)];
+    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
+    const Vec3<double> direction = cosine_direction(hit.normal, random.next_2d());
+    return object.paint(hit) * light({hit.outside, direction}, bounces - 1);
+  }
+};
+
+TEST_CASE_TEMPLATE("a ray that meets nothing sees the sky where it points, at any length", Real,
+                   float, double, long double) {
+  const std::vector<Object> none;
+  const std::vector<Object> one = {two_mirrors[0]};
+  for (const Real scale : {Real(0.125), Real(1), Real(8)}) {
+    const Ray<Real> ray{{0, 0, 0}, Vec3<Real>{0, 3, 4} * scale};
+    for (const auto& objects : {none, one, two_mirrors}) {
+      Planned<Real> random;
+      const Color<Real> light = light_along(objects, ray, fading_sky, 50, random);
+      const Real tolerance = Real(4) * unit_roundoff<Real>();
+      CHECK(abs(light.r - Real(0.6L)) <= tolerance);  // at 4/5 of the way from below to above
+      CHECK(abs(light.g - Real(0.8L)) <= tolerance);
+      CHECK(abs(light.b - Real(1)) <= tolerance);
+      CHECK(is(light_along(objects, ray, plain_sky, 50, random), 1, 0.5, 0.25));
+      CHECK(random.used == 0);
+    }
+  }
+}
+
 TEST_CASE("one sphere alone is lit as it is next to one that nobody sees") {
   const std::vector<Object> one = {{{{0.5, 0.25, -6}, 2}, {{0.5, 0.25, 1}}}};
   std::vector<Object> both = one;
@@ -84,9 +120,23 @@ TEST_CASE("one sphere alone is lit as it is next to one that nobody sees") {
       REQUIRE(alone.used == (sky.is_constant() ? 0 : beside.used));
     }
   }
-  Planned<double> none;
-  const Ray<double> up{{}, {0, 3, 4}};  // to 4/5 of the way from below to above, at any length
-  CHECK(light_along(std::vector<Object>{}, up, fading_sky, 1, none).g == doctest::Approx(0.8));
+}
+
+TEST_CASE("a path in plain C++, as page 07 shows it, brings the same light") {
+  const std::vector<Object> globe_on_ground = {{{{0, 0, 0}, 2}, {{0.5, 0.25, 1}}},
+                                               {{{0, -1002, 0}, 1000}, {{0.25, 1, 0.5}}}};
+  Dice dice;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3<double> target{dice.between(-4, 4), dice.between(-3, 2), 0};
+    const Ray<double> ray{{0, 1.5, 12}, normalize(target - Vec3<double>{0, 1.5, 12})};
+    Planned<double> random;
+    for (int k = 0; k < 3; ++k) random.pairs.push_back({dice.between(0, 1), dice.between(0, 1)});
+    Planned<double> same = random;
+    const Rgb light = light_along(globe_on_ground, ray, fading_sky, 3, random);
+    const Rgb plain = PlainPath{globe_on_ground, fading_sky, same}.light(ray, 3);
+    REQUIRE(abs(light.r - plain.r) + abs(light.g - plain.g) + abs(light.b - plain.b) < 1e-12);
+    REQUIRE(random.used == same.used);
+  }
 }
 
 }  // namespace

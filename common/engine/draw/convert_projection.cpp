@@ -9,7 +9,8 @@
 #include "engine/draw/threads.hpp"
 #include "engine/fast/turns.hpp"
 #include "math/srgb.hpp"
-#include "texture/bilinear.hpp"
+#include "texture/bilinear_mix.hpp"
+#include "texture/wrap.hpp"
 
 namespace texmap {
 namespace {

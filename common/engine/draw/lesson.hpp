@@ -2,7 +2,6 @@
 #pragma once
 #include <functional>
 #include <initializer_list>
-#include <type_traits>
 
 namespace texmap {
 
