@@ -15,7 +15,7 @@ struct Nearest {
 template <class Real, class Objects>
 [[nodiscard]] Nearest<Real> find_nearest(const Objects& objects, const Ray<Real>& ray) {
   Nearest<Real> nearest;
-  for (int index = 0; const auto& object : objects) {
+  for (double index = 0; const auto& object : objects) {
     const Real distance = distance_to(object.shape, ray);
     const auto nearer = distance < nearest.distance;
     nearest.distance = select(nearer, distance, nearest.distance);
@@ -25,16 +25,14 @@ template <class Real, class Objects>
 }
 
 /// True where an object lies between the ray's origin and `distance` along it. The object with the
-/// index `leaving` (a Real or an int), from which the ray starts outward, is skipped if convex.
-template <class Real, class Objects, class Index = int>
+/// index `leaving`, from which the ray starts outward, is skipped if it is convex.
+template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray,
-                                     const Real& distance, const Index& leaving = -1) {
+                                     const Real& distance, int leaving = -1) {
   Real first = infinity<Real>();
   for (int index = 0; const auto& object : objects) {
-    const Mask<Real> other = !(Real(leaving) == Real(index++));
-    const Mask<Real> may_hide = other || mask_of<Real>(!object.shape.convex());
-    if (any(may_hide))
-      first = min(select(may_hide, distance_to(object.shape, ray), infinity<Real>()), first);
+    if (index++ != leaving || !object.shape.convex())
+      first = min(distance_to(object.shape, ray), first);
   }
   return first < distance;
 }

@@ -84,6 +84,20 @@ template <class Real, class Sky>
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
+/// is_occluded of the sky, with an index in each lane. One function for both costs 3 % of chapter 01.
+template <class Real, class Objects>
+[[nodiscard]] Mask<Real> is_hidden(const Objects& objects, const Ray<Real>& ray,
+                                   const Real& leaving) {
+  Real first = infinity<Real>();
+  for (double index = 0; const auto& object : objects) {
+    const Mask<Real> other = !(leaving == Real(index++));
+    const Mask<Real> may_hide = other || mask_of<Real>(!object.shape.convex());
+    if (any(may_hide))
+      first = min(select(may_hide, distance_to(object.shape, ray), infinity<Real>()), first);
+  }
+  return first < infinity<Real>();
+}
+
 /// The light that arrives along a ray from matte and mirroring objects under a sky: one path.
 ///
 /// @param objects, bounces  paints are Coats; after `bounces` >= 1 a path brings no light
@@ -145,7 +159,7 @@ template <class Real, class Objects, class Sky, class Random>
         const Ray<Real> to_sky = {next.origin, drawn.direction};
         const Real toward = dot(normal, to_sky.direction);
         Mask<Real> lit = scatters && toward > Real(0);
-        if (any(lit)) lit = lit && !is_occluded(objects, to_sky, infinity<Real>(), nearest.index);
+        if (any(lit)) lit = lit && !is_hidden(objects, to_sky, nearest.index);
         if (any(lit)) {
           const Real weight = weight_of_both(toward, sky.density(true, drawn));
           light = light + select(lit, carried * sky.picture.at(drawn.uv) * weight, black);
