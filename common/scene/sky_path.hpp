@@ -84,7 +84,7 @@ template <class Real, class Sky>
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
-/// is_occluded of the sky, with an index in each lane. One function for both costs 3 % of chapter 01.
+/// is_occluded by an index in each lane. One function for both would cost 3 % of chapter 01.
 template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_hidden(const Objects& objects, const Ray<Real>& ray,
                                    const Real& leaving) {

@@ -25,8 +25,9 @@ struct BilinearTexture {
     const Real x = wrapped_coordinate(Wrap::repeat, uv.u) * width - Real(0.5);
     const Real y = wrapped_coordinate(Wrap::clamp, uv.v) * height - Real(0.5);
     const auto texel_at = [&](const Real& column, const Real& row) {
-      return texel(wrapped_neighbor(Wrap::repeat, column, width),
-                   wrapped_neighbor(Wrap::clamp, row, height));
+      const Real beyond = select(column < width, Real(0), width);
+      return texel(column - select(column < Real(0), -width, beyond),
+                   clamp(row, Real(0), height - Real(1)));
     };
     return bilinear_mix(texel_at, x, y);
   }

@@ -3,6 +3,7 @@
 #include "math/color.hpp"
 #include "number/compiler.hpp"
 #include "sampling/hash.hpp"
+#include "texture/bilinear.hpp"
 #include "texture/footprint.hpp"
 #include "texture/pyramid.hpp"
 #include "texture/wrap.hpp"
@@ -131,7 +132,9 @@ struct Filtered {
     const Wrap downward = wrap == Wrap::spherical ? Wrap::clamp : wrap;
     const Real x = wrapped_coordinate(sideways, at.u) * level.width - Real(0.5);
     const Real y = wrapped_coordinate(downward, at.v) * level.height - Real(0.5);
-    return mixed_light(pyramid, level, sideways, downward, x, y);
+    const Real left = floor(x), top = floor(y);
+    return mixed_light(pyramid, level, wrapped_neighbors(sideways, left, level.width),
+                       wrapped_neighbors(downward, top, level.height), x - left, y - top);
   }
 
   /// Two neighboring levels of the pyramid, and how much of the coarser one is mixed in.

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "number/table.hpp"
-#include "texture/bilinear_mix.hpp"
 #include "texture/light_image.hpp"
 #include "texture/wrap.hpp"
 
@@ -136,18 +135,19 @@ template <class Real>
   return {channels[0], channels[1], channels[2]};
 }
 
-/// `mixed` for a level.
+/// The light of four texels of a level, in two columns and two rows inside its image, mixed.
 ///
-/// @param sideways, downward  as for wrapped_neighbor
-/// @param x, y                from the center of a texel before the first to that of the last
+/// @param across, down  how far from the first column to the second and from the first row, 0 to 1
 template <class Texels, class Real>
 [[nodiscard]] Color<Real> mixed_light(const Texels& pyramid, const PyramidLevel<Real>& level,
-                                      Wrap sideways, Wrap downward, const Real& x, const Real& y) {
-  const auto texel_at = [&](const Real& column, const Real& row) {
-    return texel_light(pyramid, level, wrapped_neighbor(sideways, column, level.width),
-                       wrapped_neighbor(downward, row, level.height));
+                                      const Neighbors<Real>& columns, const Neighbors<Real>& rows,
+                                      const Real& across, const Real& down) {
+  const auto row_of = [&](const Real& row) {
+    return mix(texel_light(pyramid, level, columns.first, row),
+               texel_light(pyramid, level, columns.second, row), across);
   };
-  return bilinear_mix(texel_at, x, y);
+  const Color<Real> upper = row_of(rows.first);
+  return mix(upper, row_of(rows.second), down);
 }
 
 }  // namespace texmap

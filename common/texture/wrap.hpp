@@ -51,16 +51,30 @@ template <class Real>
   return clamp(x, Real(0), Real(1));
 }
 
-/// The column or row that is seen at `x`, which may be one beyond an edge.
+/// Two neighboring columns or rows.
+template <class Real>
+struct Neighbors {
+  Real first, second;
+};
+
+/// The columns or rows that are seen at `x` and at x + 1: one of them may be beyond an edge.
 ///
-/// @param x  a whole number from -1 to n
+/// @param x  a whole number from -1 to n - 1
 /// @param n  the number of columns or rows, a whole number
 /// Domain of `wrap`: repeat, mirror and clamp.
 template <class Real>
-[[nodiscard]] Real wrapped_neighbor(Wrap wrap, const Real& x, const Real& n) {
-  const Real last = n - Real(1);
-  if (wrap != Wrap::repeat) return clamp(x, Real(0), last);
-  return select(x < Real(0), last, select(x > last, Real(0), x));
+[[nodiscard]] Neighbors<Real> wrapped_neighbors(Wrap wrap, const Real& x, const Real& n) {
+  const Real last = n - Real(1), next = x + Real(1);
+  switch (wrap) {
+    case Wrap::repeat:
+      return {select(x < Real(0), last, x), select(next > last, Real(0), next)};
+    case Wrap::mirror:
+    case Wrap::clamp:
+    case Wrap::border:
+    case Wrap::spherical:
+      break;
+  }
+  return {select(x < Real(0), Real(0), x), select(next > last, last, next)};
 }
 
 /// A texel after wrapping.

@@ -40,20 +40,14 @@ requires can_fetch<Real>
 template <class Real>
 requires can_fetch<Real>
 [[nodiscard]] Color<Real> mixed_light(const Pyramid& pyramid, const PyramidLevel<Real>& level,
-                                      Wrap sideways, Wrap downward, const Real& x, const Real& y) {
-  const Real left = floor(x), top = floor(y), across = x - left, down = y - top;
+                                      const Neighbors<Real>& columns, const Neighbors<Real>& rows,
+                                      const Real& across, const Real& down) {
   // As `mix` does, start from the nearer texel.
   const Mask<Real> from_left = across < Real(0.5), from_top = down < Real(0.5);
-  const auto columns = [&](const Mask<Real>& right) {
-    const Real column = select(right, left + Real(1), left);
-    return lane_integers(wrapped_neighbor(sideways, column, level.width));
-  };
-  const auto rows = [&](const Mask<Real>& lower) {
-    const Real row = select(lower, top + Real(1), top);
-    return lane_integers(level.first_row + wrapped_neighbor(downward, row, level.height));
-  };
-  const auto near_columns = columns(!from_left), far_columns = columns(from_left);
-  const auto near_rows = rows(!from_top), far_rows = rows(from_top);
+  const auto near_columns = lane_integers(select(from_left, columns.first, columns.second));
+  const auto far_columns = lane_integers(select(from_left, columns.second, columns.first));
+  const auto near_rows = lane_integers(level.first_row + select(from_top, rows.first, rows.second));
+  const auto far_rows = lane_integers(level.first_row + select(from_top, rows.second, rows.first));
   const auto to_far_column = all_lanes(select(from_left, across, Real(1) - across));
   const auto to_far_row = all_lanes(select(from_top, down, Real(1) - down));
 

@@ -52,8 +52,8 @@ struct FilteredTexture : texmap::FilteredTexture {
     const double column = floor(inside.u * level.width - 0.5);
     const double row = floor(inside.v * level.height - 0.5);
     const auto texel_at = [&](double x, double y) {
-      return texel_light(pyramid, level, wrapped_neighbor(wrap, x, level.width),
-                         wrapped_neighbor(wrap, y, level.height));
+      return texel_light(pyramid, level, remainder_of(x, level.width),
+                         remainder_of(y, level.height));
     };
     const auto row_of = [&, left = left, right = right](double y) {
       return texel_at(column, y) * left + texel_at(column + 1, y) * right;
