@@ -3,7 +3,7 @@
 #include "math/color.hpp"
 #include "number/compiler.hpp"
 #include "sampling/hash.hpp"
-#include "texture/bilinear.hpp"
+#include "texture/bilinear_mix.hpp"
 #include "texture/footprint.hpp"
 #include "texture/pyramid.hpp"
 #include "texture/wrap.hpp"
