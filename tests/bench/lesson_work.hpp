@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/draw/develop.hpp"
+#include "engine/fast/box_search.hpp"
 #include "engine/run/planned_highlight.hpp"
 #include "pictures.hpp"
 #include "variants.hpp"

@@ -1,5 +1,5 @@
 // Any bytes as a mesh file: the reader loads or refuses them, and what loads can be drawn.
-#include "engine/fast/box_tree.hpp"
+#include "engine/fast/box_search.hpp"
 #include "engine/files/read_obj.hpp"
 #include "fuzz/target.hpp"
 

@@ -9,6 +9,7 @@
 #include "engine/draw/draw.hpp"
 #include "engine/draw/lesson_surfaces.hpp"
 #include "engine/draw/number_names.hpp"
+#include "engine/fast/box_search.hpp"
 #include "engine/files/save_png.hpp"
 #include "engine/run/command_line.hpp"
 #include "engine/run/gather_session.hpp"

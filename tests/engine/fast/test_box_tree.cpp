@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/fast/box_tree.hpp"
+#include "engine/fast/box_search.hpp"
 #include "number/kinds/pack2.hpp"
 #include "support/lanes.hpp"
 #include "support/mesh_rays.hpp"
