@@ -1,4 +1,6 @@
-// Patches: what a pixel shows, probed nine times for all of its samples.
+// Patches: what a pixel shows, probed nine times for all of its samples. Without them chapter 07's
+// book scene takes 1.1 times as long under levels=1 with 16 samples, 1.5 with 100, 1.7 with 1000;
+// under the gradient sky 1.0, 1.25 and 1.3.
 #pragma once
 #include <utility>
 
