@@ -84,9 +84,11 @@ if [ $# = 0 ]; then
     [ ! -d "$tree/build/$build/bin" ] || set -- "$@" "$tree/build/$build"
   done
   native=$tree/build/determinism
+  jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
   if ! cmake -S "$tree" -B "$native" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS="-O0 -march=native" \
     -D CMAKE_CXX_FLAGS_RELEASE= >"$native.log" 2>&1 ||
-    ! cmake --build "$native" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" --target 06_phong_texture_blend >>"$native.log" 2>&1; then
+    ! cmake --build "$native" --parallel "$jobs" --target 06_phong_texture_blend \
+      >>"$native.log" 2>&1; then
     tail -n 30 "$native.log"
     exit 1
   fi

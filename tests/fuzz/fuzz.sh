@@ -38,7 +38,9 @@ if ! printf '%s\n' "$probe" | clang++ -fsanitize=fuzzer,address,undefined -x c++
   exit 77
 fi
 
-if ! { cmake -S "$tree" --preset fuzz && cmake --build "$build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" --target "$@"; } >"$build/logs/build" 2>&1; then
+jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+if ! { cmake -S "$tree" --preset fuzz && cmake --build "$build" --parallel "$jobs" --target "$@"; } \
+  >"$build/logs/build" 2>&1; then
   tail -n 40 "$build/logs/build"
   echo "FAILED: the targets do not compile"
   exit 1

@@ -94,10 +94,11 @@ case $system in
     ;;
 esac
 
+jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 # shellcheck disable=SC2086  # lists of targets
-cmake --build "$build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" --target $chapters compare_program $suites
-ctest --test-dir "$build" -R "^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$" --output-on-failure --no-tests=error \
-  --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
+cmake --build "$build" --parallel "$jobs" --target $chapters compare_program $suites
+ctest --test-dir "$build" -R "^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$" \
+  --output-on-failure --no-tests=error --parallel "$jobs"
 
 # The golden pictures are asked of programs by their bare names, and compared here.
 wrapped=$build/wrapped

@@ -15,8 +15,8 @@ struct TextureFile {
   const char* option = "--texture";
 
   void declare(Offer& offer);
-  /// The picture. It is kept from the second call on: then the pictures of a turn are drawn, and
-  /// a single picture needs no copy. Errors: FileError with the file and where it was looked for.
+  /// The picture. The second call keeps it for those that follow: a turn reads the file twice,
+  /// and a single picture has no copy. Errors: FileError with the file and where it was looked for.
   [[nodiscard]] Image load();
 
   Image kept{};         ///< by load()
