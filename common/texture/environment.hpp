@@ -30,7 +30,8 @@ template <class Real, class TexelAt>
                                    int height) {
   const auto inside = [&](const Real& column, const Real& row) {
     const Real inside_row = clamp(row, Real(0), Real(height - 1));
-    const Real turned = column + select(row == inside_row, Real(0), Real(width / 2));
+    const int half = width / 2;
+    const Real turned = column + select(row == inside_row, Real(0), Real(half));
     const Real before = select(turned < Real(width), Real(0), Real(width));
     return texel_at(turned - select(turned < Real(0), Real(-width), before), inside_row);
   };

@@ -203,10 +203,10 @@ bool are_best(const char* name, const Family& family) {
     const Coefficients powers(One::powers.begin(), One::powers.end());
     const bool keeps = worst_of(family, powers) <= Wide(One::worst);
     const bool tight = One::worst <= 1.1L * worst_of(family, best(family, powers.size()));
-    if (!keeps || !tight)
-      std::cerr << name << "<" << powers.size() << ">: "
-                << (keeps ? "there is a better polynomial\n" : "the error is larger than stated\n");
-    return keeps && tight;
+    if (keeps && tight) return true;
+    std::cerr << name << "<" << powers.size() << ">: "
+              << (keeps ? "there is a better polynomial\n" : "the error is larger than stated\n");
+    return false;
   };
   return (is_best(Fit<Terms>()) & ...);
 }
