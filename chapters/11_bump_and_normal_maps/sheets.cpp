@@ -100,7 +100,7 @@ struct BrickHeight {
 Vec3d meant_normal(const Vec3d& normal) {
   const Bumps<Mapped<ConventionMapping, BrickHeight>> bricks{.height = {{Convention::daily}, {}},
                                                              .relief = 0.04};
-  return bricks(Hit<double>{normal, normal, normal, normal}, 1.0);
+  return bricks(Hit<double>{normal, normal, normal}, 1.0);
 }
 
 template <class Bend>

@@ -12,7 +12,7 @@ constexpr Vec3d plate_normal{0, 0, 1};
 
 Hit<double> plate_hit(double x, double y) {
   const Vec3d p{x, y, 0};
-  return {.normal = plate_normal, .point = p, .outside = p, .inside = p};
+  return {.normal = plate_normal, .point = p, .outside = p};
 }
 
 VAxis v_axis_of(const Reading& reading) { return reading.v_down ? VAxis::down : VAxis::up; }

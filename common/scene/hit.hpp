@@ -10,7 +10,6 @@ struct Hit {
   Vec3<Real> normal;   ///< outward, unit length; on an inner side towards the ray
   Vec3<Real> point;    ///< the hit point
   Vec3<Real> outside;  ///< the hit point lifted off the surface by a rounding bound
-  Vec3<Real> inside;   ///< the hit point sunk below the surface by the same bound
   int object = -1;     ///< the index of what was hit, in the scene's list; -1 if it has none
 };
 

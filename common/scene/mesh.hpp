@@ -70,7 +70,7 @@ template <class Real>
 }
 
 /// The first triangle that a ray meets ahead of its origin; of several at one distance, that with
-/// the smallest number. The ray does not meet it again from `outside`, nor from `inside`.
+/// the smallest number. The ray does not meet it again from `outside`.
 /// Domain: coordinates 0 or of 1e-6 to 1e6, directions of 0.1 to 1e6; at most 2^24 triangles.
 template <std::derived_from<Mesh> AnyMesh, class Real>
 [[nodiscard]] MeshHit<Real> first_hit(const AnyMesh& mesh, const Ray<Real>& ray) {
@@ -99,9 +99,7 @@ template <std::derived_from<Mesh> AnyMesh, class Real>
   hit.normal = select(dot(normal, ray.direction) > Real(0), -normal, normal);
   hit.point = a * hit.a + b * hit.b + c * hit.c;
   const Real size = max(largest(a), max(largest(b), largest(c))) + largest(ray.origin);
-  const Vec3<Real> lift = hit.normal * (Real(32) * unit_roundoff<Real>() * size);
-  hit.outside = hit.point + lift;
-  hit.inside = hit.point - lift;
+  hit.outside = hit.point + hit.normal * (Real(32) * unit_roundoff<Real>() * size);
   return hit;
 }
 

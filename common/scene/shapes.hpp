@@ -68,7 +68,7 @@ template <class Real>
       center + outward * Real(cylinder.radius) + Vec3<Real>{Real(0), from_center.y, Real(0)};
   const Real size = largest(center) + Real(2 * cylinder.radius + cylinder.half_height);
   const Vec3<Real> lift = normal * (Real(16) * unit_roundoff<Real>() * size);
-  return {normal, point, point + lift, point - lift};
+  return {normal, point, point + lift};
 }
 
 /// A flat picture in a frame. Its normal faces the ray.
@@ -107,7 +107,7 @@ template <class Real>
   const Vec3<Real> point = ray.origin + ray.direction * distance;
   const Real size = largest(ray.origin) + largest(point) + largest(right) + largest(up);
   const Vec3<Real> lift = normal * (Real(16) * unit_roundoff<Real>() * size);
-  return {normal, point, point + lift, point - lift};
+  return {normal, point, point + lift};
 }
 
 /// One of several kinds of shape, for a list of objects with different shapes.

@@ -63,7 +63,7 @@ template <class Real, SphereLike Shape>
 
 /// The hit at a distance that `distance_to` returned.
 /// Domain: radius 1e-6 to 1e6; |center| / radius up to 1e5 in float, 1e13 in double.
-/// Except for plain, rays outward from `outside` miss it, and rays inward from `inside` meet it.
+/// Except for plain, rays outward from `outside` miss it.
 /// Source: pbrt-v4, section 6.8: a rounding bound instead of the books' fixed 0.001.
 template <class Real, SphereLike Shape>
 [[nodiscard]] Hit<Real> hit_at(const Shape& sphere, const Ray<Real>& ray, const Real& distance) {
@@ -83,7 +83,7 @@ template <class Real, SphereLike Shape>
   const Vec3<Real> lift =
       normal * (Real(16) * u *
                 (sphere.form == SphereForm::hybrid ? formed_with + u * seen_with : seen_with));
-  return {normal, point, point + lift, point - lift};
+  return {normal, point, point + lift};
 }
 
 }  // namespace texmap

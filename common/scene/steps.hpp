@@ -20,14 +20,14 @@ template <class Real>
     return Vec3<Dual<Real>>{{p.x, right.x, up.x}, {p.y, right.y, up.y}, {p.z, right.z, up.z}};
   };
   return {moving(hit.normal, curvature), moving(hit.point, Real(1)), moving(hit.outside, Real(1)),
-          moving(hit.inside, Real(1)), hit.object};
+          hit.object};
 }
 
 /// The hit after a straight step, its normal turned as on a sphere. Bound: right to first order.
 template <class Real>
 [[nodiscard]] Hit<Real> moved(const Hit<Real>& hit, const Vec3<Real>& step, const Real& curvature) {
   return {normalize(hit.normal + step * curvature), hit.point + step, hit.outside + step,
-          hit.inside + step, hit.object};
+          hit.object};
 }
 
 }  // namespace texmap

@@ -52,7 +52,7 @@ TEST_CASE("the Earth's bumps have no seam, and their normals are finite at the p
     const double v = i / 200.0;
     const auto normal_at_u = [&](double u) {
       const Vec3d n = direction_rtiow(Uv<double>{u, v});
-      return lesson.bumps(Hit<double>{n, n, n, n}, 1.0);
+      return lesson.bumps(Hit<double>{n, n, n}, 1.0);
     };
     worst = std::max(worst, largest(normal_at_u(1e-9) - normal_at_u(1 - 1e-9)));
   }
@@ -60,7 +60,7 @@ TEST_CASE("the Earth's bumps have no seam, and their normals are finite at the p
   for (const double y : {-1.0, 1.0}) {
     for (const double aside : {0.0, 1e-300, 1e-12, 1e-6}) {
       const Vec3d n{aside, y, -aside};
-      const Vec3d normal = lesson.bumps(Hit<double>{n, n, n, n}, 1.0);
+      const Vec3d normal = lesson.bumps(Hit<double>{n, n, n}, 1.0);
       CHECK(length(normal) == doctest::Approx(1).epsilon(1e-9));
       CHECK(normal.y * y >= 0);
     }
@@ -91,7 +91,7 @@ TEST_CASE("green is up or down in the image, in every convention: the normal is 
   const TemporaryFolder folder;
   const std::string file = folder / "leaning.png";
   save_png(Image(2, 1, {128, 218, 218}), file);
-  const Hit<double> hit{.normal = {0, 0, 1}, .point = {0, 0, 1}, .outside = {}, .inside = {}};
+  const Hit<double> hit{.normal = {0, 0, 1}, .point = {0, 0, 1}, .outside = {}};
   for (const char* convention : {"rtiow", "daily", "lecture"}) {
     CAPTURE(convention);
     for (const char* green : {"up", "down"}) {

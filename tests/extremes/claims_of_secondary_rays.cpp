@@ -105,7 +105,7 @@ Measurement worst_to_light() {
     const Vec3<T> point = number_cast<T>(dice.direction() * dice.power_of_ten(-6, 6));
     const Vec3<float> lamp = number_cast<float>(dice.direction() * dice.power_of_ten(-6, 6));
     const PointLight light{number_cast<double>(lamp)};
-    const Hit<T> hit{{T(0), T(1), T(0)}, point, point, point};
+    const Hit<T> hit{{T(0), T(1), T(0)}, point, point};
     const Vec3<T> got = sample_light(light, nothing, hit).to_light;
     worst.see(length_off(got, normalize(exactly(light.position) - exactly(point))),
               [&] { return described(point); });

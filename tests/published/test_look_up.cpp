@@ -147,7 +147,7 @@ TEST_CASE("the bricks' tangents run along -dP/du and -dP/dv: a bump comes out as
     const Vec3d normal = dice.direction<double>();
     if (std::abs(normal.y) > 0.999) continue;
     const Frame<double> frame = frame_about(normal);
-    const Hit<double> hit{normal, normal, normal, normal};
+    const Hit<double> hit{normal, normal, normal};
     const Uv<Dual<double>> uv = uv_of(Convention::daily, with_steps(hit, frame, 1.0).normal);
     const TangentFrame<double> by_uv =
         tangents(TangentRule::from_uv, normal, point_by_uv(frame, uv));

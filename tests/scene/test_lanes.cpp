@@ -98,7 +98,7 @@ TEST_CASE_TEMPLATE("math, sampling and scene compute lane by lane", Many, PACKS)
       const Real distance = distance_to(sphere, ray);
       const Mask<Real> met = distance < infinity<Real>();
       const Hit<Real> hit = hit_at(sphere, ray, select(met, distance, Real(1)));
-      return std::tuple(distance, hit.normal, hit.point, hit.outside, hit.inside);
+      return std::tuple(distance, hit.normal, hit.point, hit.outside);
     });
   }
   for (const Triangle& triangle : {Triangle{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0.2}},
@@ -134,7 +134,7 @@ TEST_CASE_TEMPLATE("math, sampling and scene compute lane by lane", Many, PACKS)
   law<Many>("sample_light, lambert, highlight_of_the_slides", []<class Real>(const In<Real>& x) {
     const Vec3<Real> p = vector(x, 0, 5), normal = unit(x, 3);
     const LightSample<Real> sample =
-        sample_light(PointLight{{0, 4, 0}}, spheres, Hit<Real>{normal, p, p, p});
+        sample_light(PointLight{{0, 4, 0}}, spheres, Hit<Real>{normal, p, p});
     return std::tuple(
         sample.to_light, sample.cosine, lambert(Lambertian{}, sample),
         highlight_of_the_slides(PhongMaterial{{}, 1, 100}, sample, normal, unit(x, 6)));

@@ -19,8 +19,7 @@ struct Thing {
 
 /// A point of the ground, which faces up.
 template <class Real>
-const Hit<Real> ground{
-    .normal = {0, 1, 0}, .point = {0, 0, 0}, .outside = {0, 0, 0}, .inside = {0, 0, 0}};
+const Hit<Real> ground{.normal = {0, 1, 0}, .point = {0, 0, 0}, .outside = {0, 0, 0}};
 
 /// A list of objects that counts how often somebody looks at it.
 struct Watched {
@@ -110,7 +109,7 @@ TEST_CASE("a bump that faces the lamp stays dark where the globe itself faces aw
   const std::vector<Painted<Solid>> objects = {
       {.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {}}};
   const Vec3d normal{0, 0, 1};
-  const Hit<double> hit{normal, normal, normal, normal, 0};
+  const Hit<double> hit{normal, normal, normal, 0};
   const Vec3d bent = normalize(Vec3d{-1, 0, 1});
   CHECK(sample_light(PointLight{{-9, 0, 0.5}}, objects, hit, bent).cosine == 0);
 

@@ -34,7 +34,7 @@ bool equal(const Color<Real>& a, const Color<Real>& b) {
 
 TEST_CASE_TEMPLATE("of several paints the one that is there is asked", Real, float, double,
                    long double) {
-  const Hit<Real> hit{{0, 0, -1}, {1, 1, 1}, {1, 1, 1}, {}};
+  const Hit<Real> hit{{0, 0, -1}, {1, 1, 1}, {1, 1, 1}};
   CHECK(equal(Either{Solid{{0.25, 0.5, 1}}}(hit), {Real(0.25), Real(0.5), 1}));
   CHECK(equal(Either{NormalPaint{}}(hit), {0, 0, -1}));
   CHECK(equal(Either{Mapped<RtiowMapping, UvTexture>{}}(hit), {Real(0.75), Real(0.5), 0}));

@@ -52,7 +52,7 @@ struct EllipsoidHeight {
 
 template <class Real>
 Hit<Real> hit_with(const Vec3<Real>& normal) {
-  return {normal, normal, normal, normal};
+  return {normal, normal, normal};
 }
 template <class Real>
 Hit<Real> hit_with(const Vec3<long double>& normal) {
@@ -159,7 +159,7 @@ TEST_CASE("on a sphere, the normal with steps is what the point with steps gives
   for (const double radius : {0.25, 1.0, 40.0}) {
     for (int i = 0; i < 300; ++i) {
       const Vec3d normal = dice.direction<double>();
-      const Hit<double> hit{normal, normal * radius, {}, {}};
+      const Hit<double> hit{normal, normal * radius, {}};
       const Frame<double> frame = frame_about(normal);
       const Hit<Dual<double>> moving = with_steps(hit, frame, 1 / radius);
       const Vec3<Dual<double>> expected = normalize(moving.point);

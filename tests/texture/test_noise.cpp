@@ -87,7 +87,7 @@ TEST_CASE("marble without a bend is planes of stone and vein; a paint in space a
   CHECK(planes(Vec3d{0.25, -2, 0.9}).r == 0);
   CHECK(planes(Vec3d{0.1875, 5, 5}).r == 0.75);
   const Vec3d p{-0.5, 0.25, 0};
-  const Hit<double> hit{{0, 1, 0}, p, p, p};
+  const Hit<double> hit{{0, 1, 0}, p, p};
   CHECK(InSpace<Marble>{planes}(hit).b == planes(p).b);
   CHECK(InSpace<SolidCheckerboard>{{{1, 1, 1}, {0, 0, 0}, 1}}(hit).r == 0);
 }

@@ -51,7 +51,7 @@ inline constexpr struct {
     Hit<double> hit = hit_at(first.shape, ray, t);
     if (dot(hit.normal, ray.direction) > 0) {  // the inner side
       hit.normal = -hit.normal;
-      hit.outside = hit.inside;
+      hit.outside = hit.point - (hit.outside - hit.point);
     }
     return shade(first, hit);
   }
