@@ -1,7 +1,7 @@
 #!/bin/sh
 # What ./course does with its builds, with a stand-in for cmake. In a course that was copied elsewhere, the build that a command needs is
 # made anew, with a line that says so; the others stay, and --help deletes none. What the build beside the first chapters says comes into
-# the log; a chapter that fails ends it.
+# the log; a chapter that fails ends it. Where nothing was saved since a build there is none.
 # usage: test_builds.sh ROOT
 set -eu
 root=$1
@@ -16,7 +16,7 @@ case "$*" in
   --preset*) mkdir -p build/learn/bin && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/learn/CMakeCache.txt && echo gallery: >build/learn/Makefile ;;
   *13_speed*) sh -c 'n=0; while [ $((n += 1)) -le "$BESIDE" ]; do : >alive; sleep 0.1; done' && echo "warning: beside" ;;
   *draw_02*) sleep 0.5 && echo "drawn or not" && exit "$LESSON" ;;
-  --build*) printf '#!/bin/sh\necho drawn\n' >build/learn/bin/01_plain_spheres && chmod +x build/learn/bin/01_plain_spheres ;;
+  --build*) : >made; printf '#!/bin/sh\necho drawn\n' >build/learn/bin/01_plain_spheres && chmod +x build/learn/bin/01_plain_spheres ;;
   --version) echo "cmake version 3.25.1" ;;
 esac
 END_OF_TOOL
@@ -49,6 +49,15 @@ BESIDE=20 LESSON=0 ./course >said || fail "it stopped: $(cat said)"
 grep -q "warning: beside" build/learn/gallery.log || fail "the log lacks what the build beside said"
 : >build/learn/mark
 expect "the second time" kept silent
+mkdir common tests assets
+: >CMakeLists.txt
+expect "with all folders" kept silent
+rm made
+expect "where nothing was saved" kept silent
+[ ! -e made ] || fail "it was built again, and nothing was saved"
+: >chapters/02_a/main.cpp
+expect "where a file was saved" kept silent
+[ -e made ] || fail "a file was saved, and it was not built again"
 for other in grade/build release; do
   mkdir -p "build/$other"
   cp build/learn/CMakeCache.txt "build/$other"
