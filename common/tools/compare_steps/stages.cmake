@@ -1,5 +1,5 @@
-# Writes the source file OUT with steps::stages(): the LESSONS whose objects are those of the stage.
-# usage: cmake -D OUT=... "-DLESSONS=...;..." -P stages.cmake
+# Writes the source file OUT with ROOM::stages(): the LESSONS whose objects are those of the stage, by what HEADER makes of a lesson.
+# usage: cmake -D OUT=... -D ROOM=steps -D HEADER=comparison.hpp "-DLESSONS=...;..." -P stages.cmake
 set(includes "")
 set(rows "")
 foreach(lesson IN LISTS LESSONS)
@@ -13,10 +13,10 @@ foreach(lesson IN LISTS LESSONS)
   endif()
 endforeach()
 file(WRITE "${OUT}" "// Written by stages.cmake.
-#include \"comparison.hpp\"
+#include \"${HEADER}\"
 
 ${includes}
-namespace texmap::steps {
+namespace texmap::${ROOM} {
 
 const std::vector<OnStage>& stages() {
   static const std::vector<OnStage> all{${rows}
@@ -24,5 +24,5 @@ const std::vector<OnStage>& stages() {
   return all;
 }
 
-}  // namespace texmap::steps
+}  // namespace texmap::${ROOM}
 ")

@@ -20,6 +20,7 @@
 #include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
 #include "engine/run/command_line.hpp"
+#include "slips.hpp"
 
 namespace {
 
@@ -91,17 +92,126 @@ std::string page_of(const Choices& choices, const std::string& chapter) {
   return "";
 }
 
+std::string all_of(const std::vector<slips::Slip>& slips) {
+  std::string words;
+  for (const slips::Slip& slip : slips) words += (words.empty() ? "" : "; and ") + slip.words;
+  return words;
+}
+
 /// The words of a mistake, and where it is explained.
-std::string explained(const Choices& choices, const WrongPicture& right, const std::string& words) {
-  std::string said =
-      choices.file + ": wrong. Chapter " + right.name.substr(0, 2) + "'s picture, " + words + "\n";
+std::string explained(const Choices& choices, const WrongPicture& right,
+                      const std::vector<slips::Slip>& slips, const std::string& evidence = "") {
+  std::string said = choices.file + ": wrong. Chapter " + right.name.substr(0, 2) + "'s picture, " +
+                     all_of(slips) + evidence + "\n";
   std::string chapter = right.name.substr(0, 2);
-  for (const auto& row : cards) {
-    if (words.find(row.words) != std::string::npos)
-      said += card_in(choices.root(), row.card, chapter);
+  for (const slips::Slip& slip : slips) {
+    std::string found;
+    for (const auto& row : cards) {
+      if (slip.words.find(row.words) != std::string::npos)
+        found += card_in(choices.root(), row.card, chapter);
+    }
+    if (found.empty() && !slip.change.empty()) found = "  change      " + slip.change + "\n";
+    said += found;
   }
   const std::string page = page_of(choices, chapter);  // its chapter may not be in a students' copy
   return said + (page.empty() ? page_of(choices, right.name.substr(0, 2)) : page);
+}
+
+/// True if the stage draws the chapter's right picture: a reader may have changed its lesson.
+bool draws(const slips::StageView& stage, const Image& right) {
+  std::size_t off = 0;
+  for (const slips::Seen& seen : stage.pixels) {
+    const Rgb8 is = {byte_of(seen.color.r), byte_of(seen.color.g), byte_of(seen.color.b)};
+    off += channel_difference(is, right.at(seen.column, seen.row)) > 1 ? 1U : 0U;
+  }
+  return off * 1000 <= stage.pixels.size();
+}
+
+/// The explanations by the fewest slips, of the chapters that draw the stage; else nothing.
+/// A turned globe of chapter 03 may be chapter 05's: then the earlier is explained, both are said.
+std::string by_slips(const Choices& choices, const Image& mine,
+                     const std::vector<WrongPicture>& candidates) {
+  std::vector<std::pair<const WrongPicture*, slips::StageView>> stages;
+  for (const WrongPicture& one : candidates) {
+    for (const slips::OnStage& on_stage : slips::stages()) {
+      if (on_stage.name != one.name) continue;
+      slips::StageView stage = on_stage.view(on_stage.name);
+      if (stage.width == mine.width && stage.height == mine.height && draws(stage, one.picture))
+        stages.emplace_back(&one, std::move(stage));
+    }
+  }
+  std::map<std::string, std::pair<const WrongPicture*, slips::Explanation>> whys;
+  std::size_t least = 99;
+  const auto explain_by = [&](std::size_t count, int most) {
+    for (std::size_t i = 0; i < std::min(count, stages.size()); ++i) {
+      const slips::Explanation why = explain(mine, stages[i].second, most);
+      if (why.slips.empty()) continue;
+      whys[stages[i].first->name] = {stages[i].first, why};
+      least = std::min(least, why.slips.size());
+    }
+  };
+  explain_by(stages.size(), 2);
+  if (whys.empty()) explain_by(1, 3);  // three slips take longer: of the nearest alone
+  std::erase_if(whys, [&](const auto& row) { return row.second.second.slips.size() > least + 1; });
+  if (whys.empty()) return "";
+  const auto& [first, why] = whys.begin()->second;
+  std::string evidence =
+      text(" (this explains %.1f %% of what is wrong)",
+           100.0 * static_cast<double>(why.explained) / static_cast<double>(why.different));
+  for (const std::string& other : why.instead) evidence += "\n  or          " + other;
+  for (const auto& [name, row] : whys) {
+    if (row.first != first && row.second.slips.size() <= why.slips.size())
+      evidence += "\n  or          chapter " + name.substr(0, 2) + "'s picture, " +
+                  all_of(row.second.slips);
+  }
+  return explained(choices, *first, why.slips, evidence) +
+         (whys.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
+}
+
+/// Pixels that no rounding made: none of the right picture's around has their color.
+struct Stray {
+  std::size_t count = 0, black = 0, white = 0;
+  int column = -1, row = -1;                                   ///< of the first
+  int right = -1, bottom = -1, left = 1 << 20, top = 1 << 20;  ///< what they lie in
+};
+Stray stray_pixels(const Image& mine, const Image& right) {
+  Stray stray;
+  for (int y = 0; y < mine.height; ++y) {
+    for (int x = 0; x < mine.width; ++x) {
+      const Rgb8 is = mine.at(x, y);
+      bool is_near = channel_difference(is, right.at(x, y)) <= 1;
+      for (int i = 0; i < 9 && !is_near; ++i) {
+        const int column = std::clamp(x + i % 3 - 1, 0, mine.width - 1);
+        const int row = std::clamp(y + i / 3 - 1, 0, mine.height - 1);
+        is_near = channel_difference(is, right.at(column, row)) <= 3;
+      }
+      if (is_near) continue;
+      if (stray.count++ == 0) stray.column = x, stray.row = y;
+      stray.black += is == Rgb8{} ? 1U : 0U;
+      stray.white += is == Rgb8{255, 255, 255} ? 1U : 0U;
+      stray.left = std::min(stray.left, x), stray.right = std::max(stray.right, x);
+      stray.top = std::min(stray.top, y), stray.bottom = std::max(stray.bottom, y);
+    }
+  }
+  return stray;
+}
+
+/// Words for a picture that is right but for a few pixels.
+std::string but_for(const Choices& choices, const WrongPicture& right, const Stray& stray) {
+  const double box = double(stray.right - stray.left + 1) * (stray.bottom - stray.top + 1);
+  std::string what = "pixels of other colors";
+  if (stray.black * 10 >= stray.count * 9)
+    what =
+        "black dots: most likely a number that is none (NaN), or shadow rays that meet their own "
+        "surface";
+  else if (stray.white * 10 >= stray.count * 9)
+    what = "white dots: most likely a division by 0";
+  else if (box * 100 < double(right.picture.width) * right.picture.height)
+    what = text("something is painted over columns %d to %d, rows %d to %d", stray.left,
+                stray.right, stray.top, stray.bottom);
+  return choices.file + ": chapter " + right.name.substr(0, 2) + "'s picture, right but for " +
+         text("%zu pixels: ", stray.count) + what +
+         text("\n  the first   column %d, row %d\n", stray.column, stray.row);
 }
 
 /// Errors: FileError, with the remedy.
@@ -160,7 +270,63 @@ std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
   }
   std::vector<WrongPicture> fitting;
   for (auto& [error, one] : nearest) fitting.push_back(std::move(one));
+  // A file's name may say which it is: 03.png, my_03_globe.png.
+  std::smatch number;
+  const std::string name = name_of(path_of(choices.file).filename());
+  if (std::regex_search(name, number, std::regex("(?:^|[^0-9])(0[1-9]|1[0-4])[^0-9]"))) {
+    const auto is_another = [&](const auto& one) { return !one.name.starts_with(number[1].str()); };
+    if (!std::ranges::all_of(fitting, is_another)) std::erase_if(fitting, is_another);
+  }
   return fitting;
+}
+
+/// Asks for what the known mistakes of a chapter draw, by its name; true if it asked.
+bool asked_for(const Choices& choices, const WrongPicture& one) {
+  const fs::path drawn = choices.root() / "build/learn/mistakes" / one.name;
+  if (choices.undrawn.empty() || one.name >= "13" || has_drawn_mistakes(drawn, one.picture))
+    return false;
+  write_text_atomically(path_of(choices.undrawn), one.name);
+  return true;
+}
+
+std::string known_words(const Choices& choices, const Image& mine, const WrongPicture& one) {
+  const fs::path drawn = choices.root() / "build/learn/mistakes" / one.name;
+  return name_mistake(mine, one.picture, known_mistakes(drawn, one.picture));
+}
+
+/// What is wrong with a picture that no chapter draws; empty if that is to be drawn first.
+std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPicture> candidates) {
+  // A picture that is right but for a few pixels is that chapter's, and no other's.
+  const auto few = mine.pixels.size() / 1000;
+  std::size_t least = few + 1;
+  for (const WrongPicture& one : candidates)
+    least = std::min(least, stray_pixels(mine, one.picture).count);
+  if (least <= few) {
+    std::erase_if(candidates, [&](const WrongPicture& one) {
+      return stray_pixels(mine, one.picture).count > least;
+    });
+  }
+  std::string found = by_slips(choices, mine, candidates);
+  if (!found.empty()) return found;
+  for (const WrongPicture& one : candidates) {
+    if (asked_for(choices, one)) return "";
+    const std::string words = known_words(choices, mine, one);
+    const bool is_vague = words.starts_with("softer") || words.starts_with("rougher");
+    if (!words.empty() && (found.empty() || !is_vague))
+      found = explained(choices, one, {{words, ""}});
+    if (!words.empty() && !is_vague) break;
+  }
+  const WrongPicture& nearest = candidates.front();
+  if (found.empty() && least <= few)
+    return but_for(choices, nearest, stray_pixels(mine, nearest.picture));
+  if (found.empty()) {
+    found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
+            nearest.name.substr(0, 2) + "'s:\n  where       ./course diff " + choices.file +
+            " tests/golden/" + nearest.name + ".png\n  more        " +
+            place_of(choices.root(), "symptoms.html", "", "docs/symptoms.md");
+  }
+  return found +
+         (candidates.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
 }
 
 /// Says what a picture is; true if it is right.
@@ -170,7 +336,7 @@ bool diagnose(const Choices& choices) {
   std::string found;
   bool is_it = false;
   for (const WrongPicture& one : right) {
-    if (!is_same_picture(mine, one.picture)) continue;
+    if (!is_same_picture(mine, one.picture) || stray_pixels(mine, one.picture).count > 0) continue;
     is_it = one.name.starts_with(choices.chapter);
     found = choices.file + (is_it ? ": right, " : ": not chapter " + choices.chapter + "'s, but ") +
             one.words + (one.name.starts_with("02") ? ", which 00 draws, too\n" : "\n");
@@ -180,27 +346,7 @@ bool diagnose(const Choices& choices) {
     print(found);
     return is_it;
   }
-  const std::vector<WrongPicture> candidates = meant(choices, mine, right);
-  for (const WrongPicture& one : candidates) {
-    const fs::path drawn = choices.root() / "build/learn/mistakes" / one.name;
-    if (!choices.undrawn.empty() && one.name < "13" && !has_drawn_mistakes(drawn, one.picture)) {
-      write_text_atomically(path_of(choices.undrawn), one.name);
-      return false;
-    }
-    const std::string words = name_mistake(mine, one.picture, known_mistakes(drawn, one.picture));
-    const bool is_vague = words.starts_with("softer") || words.starts_with("rougher");
-    if (!words.empty() && (found.empty() || !is_vague)) found = explained(choices, one, words);
-    if (!words.empty() && !is_vague) break;
-  }
-  if (found.empty()) {
-    const std::string& nearest = candidates.front().name;
-    found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
-            nearest.substr(0, 2) + "'s:\n  where       ./course diff " + choices.file +
-            " tests/golden/" + nearest + ".png\n  more        " +
-            place_of(choices.root(), "symptoms.html", "", "docs/symptoms.md");
-  }
-  print(found +
-        (candidates.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : ""));
+  print(wrong(choices, mine, meant(choices, mine, right)));
   return false;
 }
 

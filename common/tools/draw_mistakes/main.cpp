@@ -19,6 +19,7 @@
 #include "10_projections/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
+#include "diagnose/wrong_light.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/draw/render.hpp"
 #include "engine/files/load_image.hpp"
@@ -27,7 +28,6 @@
 #include "engine/files/text.hpp"
 #include "engine/run/prepared.hpp"
 #include "engine/run/run_chapter.hpp"
-#include "wrong_light.hpp"
 
 namespace {
 

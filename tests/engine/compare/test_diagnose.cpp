@@ -113,6 +113,31 @@ TEST_CASE("what is painted over a part of a picture does not make another chapte
   }
 }
 
+TEST_CASE("a right picture with a few wrong pixels is said to be that, with the place of one") {
+  const Course course;
+  const struct {
+    Rgb8 dot;
+    const char* words;
+  } rows[] = {
+      {{0, 0, 0}, "4 pixels: black dots"},
+      {{255, 255, 255}, "4 pixels: white dots"},
+      {{9, 200, 90}, "4 pixels: pixels of other colors"},
+  };
+  for (const auto& row : rows) {
+    Image damaged = third;
+    for (const int column : {10, 30, 50, 70}) damaged.at(column, 20) = row.dot;
+    save_png(damaged, course.folder / "my.png");
+    const Outcome outcome = course.say("my.png");
+    CHECK(outcome.status == 1);
+    CHECK_MESSAGE(has(outcome.out, std::string("chapter 03's picture, right but for ") + row.words),
+                  outcome.out);
+    CHECK(has(outcome.out, "the first   column 10, row 20\n"));
+  }
+  // A file's name says which chapter it is.
+  save_png(noise(80, 60, 4), course.folder / "my_01.png");
+  CHECK(has(course.say("my_01.png").out, "The nearest picture is 01's"));
+}
+
 TEST_CASE("mistakes that have a card in My Earth is ... lead to it") {
   const Course course;
   std::vector<WrongPicture> wrong = mistaken_maps(third);

@@ -1,0 +1,30 @@
+// Which slips drew a picture: small mistakes at known places of the path from a ray to a byte, one
+// or a few of them at once, found by computing what each would draw.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "stage.hpp"
+#include "texture/image.hpp"
+
+namespace texmap::slips {
+
+/// A mistake at one place of the path.
+struct Slip {
+  std::string words;   ///< as in known_mistakes.hpp, whose cards it shares
+  std::string change;  ///< what to write instead; empty where a card says it
+};
+
+/// The slips that explain a picture together.
+struct Explanation {
+  std::vector<Slip> slips;           ///< empty: the picture is right, but for what is unexplained
+  std::vector<std::string> instead;  ///< words of others that would draw the same
+  long different = 0;                ///< pixels of the lattice that are not the right picture's
+  long explained = 0;                ///< of these
+};
+
+/// The fewest slips, at most `most`, that explain a picture: of each object's pixels all but 2 % to
+/// two levels, and nine in ten of those that are not the right picture's. Else no slips.
+[[nodiscard]] Explanation explain(const Image& drawn, const StageView& stage, int most);
+
+}  // namespace texmap::slips

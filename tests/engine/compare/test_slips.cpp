@@ -1,0 +1,105 @@
+// The slips of ./course diagnose: pictures drawn by lessons with a mistake in them are explained by
+// it, and right ones with damage by none.
+#include "diagnose/slips.hpp"
+
+#include <doctest.h>
+
+#include "03_image_texture/lesson.hpp"
+#include "support/made_pictures.hpp"
+
+using namespace texmap;
+using chapter_03::Object;
+
+namespace {
+
+/// What a student can do wrong in chapter 03, by functions of his own.
+struct Mistake {
+  Uv<double> (*uv)(Vec3d n) = [](Vec3d n) { return uv_rtiow(n); };
+  bool shadows = true;
+  double ambient = 0.2;
+  bool bgr = false;
+};
+
+Image drawn_with(const Mistake& mistake) {
+  const chapter_03::Lesson lesson = prepared<chapter_03::Lesson>();
+  const std::vector<Object> casters = mistake.shadows ? lesson.objects : std::vector<Object>{};
+  const auto color_of = [&](const Ray<double>& ray) {
+    const auto shade = [&](const Object& object, const Hit<double>& hit) {
+      const LightSample<double> light = sample_light(lesson.stage.light, casters, hit);
+      Rgb color = object.paint(hit);
+      if (const auto* textured = std::get_if<chapter_03::Textured>(&object.paint))
+        color = textured->texture(mistake.uv(hit.normal));
+      if (mistake.bgr && hit.object == chapter_03::middle) std::swap(color.r, color.b);
+      return color * (mistake.ambient + 0.8 * light.cosine);
+    };
+    return color_along(lesson.objects, ray, lesson.stage.sky, shade);
+  };
+  const View<> view = view_of(lesson.stage.camera, 800, 600);
+  return image_of(800, 600, [&](int column, int row) {
+    const Rgb c = color_of(ray_through<double>(view, column, row));
+    return Rgb8{byte_of(c.r), byte_of(c.g), byte_of(c.b)};
+  });
+}
+
+std::string words_of(const slips::Explanation& why) {
+  std::string words;
+  for (const slips::Slip& slip : why.slips)
+    words += slip.words.substr(0, slip.words.find(':')) + ";";
+  return words;
+}
+
+Vec3d mirrored_normal(Vec3d n) { return {n.x, n.y, -n.z}; }
+
+}  // namespace
+
+TEST_CASE("a mistake, or two at once, are found by what they draw") {
+  const slips::StageView stage = slips::view_stage<chapter_03::Lesson>("03_image_texture");
+  const struct {
+    Mistake mistake;
+    const char* words;
+  } rows[] = {
+      {{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }}, "mirrored;"},
+      {{.uv =
+            [](Vec3d n) {
+              return uv_rtiow(Vec3d{n.z, n.y, -n.x});
+            }},
+       "a quarter turn off;"},
+      {{.uv = [](Vec3d n) -> Uv<double> {
+         return {uv_rtiow(n).u - 0.5, uv_rtiow(n).v};
+       }},
+       "striped;"},
+      {{.uv = [](Vec3d n) -> Uv<double> {
+         return {uv_rtiow(n).u, (n.y + 1) / 2};
+       }},
+       "squeezed at the poles;"},
+      {{.uv = [](Vec3d n) { return uv_rtiow(rotation_y(37)(n)); }}, "turned by 37 degrees;"},
+      {{.shadows = false}, "without shadows;"},
+      {{.ambient = 0}, "black in the shadow;"},
+      {{.bgr = true}, "red and blue are exchanged in the texture;"},
+      {{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }, .shadows = false},
+       "mirrored;without shadows;"},
+      {{.uv = [](Vec3d n) -> Uv<double> {
+          return {uv_rtiow(n).u, (n.y + 1) / 2};
+        },
+        .bgr = true},
+       "squeezed at the poles;red and blue are exchanged in the texture;"},
+  };
+  for (const auto& row : rows) {
+    CAPTURE(row.words);
+    const slips::Explanation why = explain(drawn_with(row.mistake), stage, 2);
+    CHECK(words_of(why) == row.words);
+    CHECK(why.explained * 10 >= why.different * 9);
+    CHECK(why.different > 500);
+  }
+}
+
+TEST_CASE("a right picture with dots, and noise, have no slips") {
+  const slips::StageView stage = slips::view_stage<chapter_03::Lesson>("03_image_texture");
+  const Image right = drawn_with({});
+  for (const std::size_t dots : {0U, 1U, 100U}) {
+    Image damaged = right;
+    for (std::size_t i = 0; i < dots; ++i) damaged.pixels[240000 + 37 * i] = {};
+    CHECK(explain(damaged, stage, 2).slips.empty());
+  }
+  CHECK(explain(test::noise(800, 600, 3), stage, 2).slips.empty());
+}
