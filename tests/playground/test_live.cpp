@@ -68,6 +68,15 @@ TEST_CASE("wrong words are refused, and the picture before stays") {
   test::expect_same_picture(whole(lesson), before);
 }
 
+TEST_CASE("a page says what was done to a reader's file, as long as it is in the picture") {
+  const std::string turned = TEXMAP_TESTS_DIR "/corpus/jpg_exif_orient6.jpg";
+  Live<chapter_03::Lesson> lesson;
+  lesson.set({"--texture", turned}, widest);
+  CHECK(lesson.notes() == turned + " is turned as its EXIF says\n");
+  lesson.set({}, widest);
+  CHECK(lesson.notes().empty());
+}
+
 TEST_CASE("--squares changes every checkerboard") {
   const chapter_02::Lesson ten;
   chapter_02::Lesson four;

@@ -1,6 +1,7 @@
 // From the name of a PNG or JPEG file to a picture.
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "engine/files/file_error.hpp"
 #include "texture/image.hpp"
@@ -10,8 +11,9 @@ namespace texmap {
 /// The picture in a PNG or JPEG file; its content decides which, not its name.
 ///
 /// @param path  a regular file of 1 byte to 64 MiB with at most 16384 pixels a side and 2^27 in all
+/// @param note  if there, gets what decode_image says
 /// @return      8 bits a channel, no alpha; decode_image says how other files are converted
 /// Errors: FileError `cannot load texture 'F': why`, never a part of a picture; std::bad_alloc.
-[[nodiscard]] Image load_image(const std::filesystem::path& path);
+[[nodiscard]] Image load_image(const std::filesystem::path& path, std::string* note = nullptr);
 
 }  // namespace texmap

@@ -12,10 +12,12 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/files/file_error.hpp"
 #include "engine/files/image_limits.hpp"
+#include "engine/files/pixel_order.hpp"
 #include "number/compiler.hpp"
 
 namespace texmap {
@@ -235,15 +237,61 @@ struct Scan {
   int bit = 0;                         // the lowest that is sent, 0 to 13
 };
 
+// How an application's segment says that its picture is turned: by tag 0x0112 of EXIF, a TIFF
+// file. A segment that is none, or a damaged one, says nothing.
+PixelOrder order_of_exif(Bytes data) {
+  constexpr std::string_view name("Exif\0\0", 6);
+  if (data.size() < name.size() + 8 || !std::equal(name.begin(), name.end(), data.begin()))
+    return {};
+  const Bytes tiff = data.subspan(name.size());
+  const bool low_first = tiff[0] == 'I';
+  const auto number = [&](std::size_t place, std::size_t bytes) {
+    std::size_t value = 0;
+    for (std::size_t i = 0; i < bytes; ++i)
+      value = value << 8 | tiff[place + (low_first ? bytes - 1 - i : i)];
+    return value;
+  };
+  if ((tiff[0] != 'I' && tiff[0] != 'M') || tiff[1] != tiff[0] || number(2, 2) != 42) return {};
+  const std::size_t directory = number(4, 4);
+  if (directory > tiff.size() - 2) return {};
+  std::size_t entries = number(directory, 2);
+  for (std::size_t at = directory + 2; entries > 0 && at + 12 <= tiff.size(); at += 12, --entries) {
+    const bool is_one_short = number(at + 2, 2) == 3 && number(at + 4, 4) == 1;
+    if (number(at, 2) != 0x0112 || !is_one_short) continue;
+    switch (number(at + 8, 2)) {
+      case 2:
+        return {.from_right = true};
+      case 3:
+        return {.from_right = true, .from_below = true};
+      case 4:
+        return {.from_below = true};
+      case 5:
+        return {.columns_first = true};
+      case 6:
+        return {.from_below = true, .columns_first = true};
+      case 7:
+        return {.from_right = true, .from_below = true, .columns_first = true};
+      case 8:
+        return {.from_right = true, .columns_first = true};
+      default:
+        return {};
+    }
+  }
+  return {};
+}
+
 // The file, read from the front, and what was found so far.
 class Reader {
  public:
   explicit Reader(Bytes file) : rest_(file.subspan(2)) {}
 
+  PixelOrder order;
+
   ImageSize read() {
     for (std::uint32_t marker = take_marker(); marker != 0xD9; marker = take_marker()) {
       const Bytes data = take_segment();
       const bool comment = (marker >= 0xE0 && marker <= 0xEF) || marker == 0xFE;
+      if (marker == 0xE1 && order == PixelOrder{}) order = order_of_exif(data);
       if (marker == 0xDB) {
         quantization_tables(data);
       } else if (marker == 0xC4) {
@@ -586,8 +634,9 @@ bool looks_like_jpeg(Bytes file) {
   return file.size() >= 3 && file[0] == 0xFF && file[1] == 0xD8 && file[2] == 0xFF;
 }
 
-Image read_jpeg(Bytes file) {
-  const ImageSize size = Reader(file).read();
+Image read_jpeg(Bytes file, std::string* note) {
+  Reader reader(file);
+  const ImageSize size = reader.read();
   // With a fourth byte a pixel the decoder turns eight pixels at once into colors. A large picture
   // does without, for its memory.
   const std::size_t area = std::size_t{size.width} * size.height;
@@ -606,12 +655,13 @@ Image read_jpeg(Bytes file) {
   if (size != ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)})
     throw FileError("the file is damaged: it states two different sizes");
 
-  Image image(width, height);
+  Image image = reader.order.picture<Rgb8>(width, height);
   const stbi_uc* from = pixels.get();
-  for (Rgb8& pixel : image.pixels) {
-    pixel = {from[0], from[1], from[2]};
-    from += bytes;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column, from += bytes)
+      reader.order.at(image, column, row) = {from[0], from[1], from[2]};
   }
+  if (note != nullptr && reader.order != PixelOrder{}) *note = "is turned as its EXIF says";
   return image;
 }
 

@@ -1,5 +1,7 @@
 // From the bytes of a JPEG file to a picture.
 #pragma once
+#include <string>
+
 #include "engine/files/bytes.hpp"
 #include "texture/image.hpp"
 
@@ -9,9 +11,10 @@ namespace texmap {
 
 /// The picture in a JPEG file. Checks its tables, its header and every code of every scan first.
 ///
-/// @param file  a file that looks_like_jpeg
+/// @param file  a file that looks_like_jpeg; a damaged EXIF turns nothing
+/// @param note  if there, gets what decode_image says
 /// Errors: FileError; std::bad_alloc.
 /// Source: ITU-T T.81, annexes B, C, F and G.
-[[nodiscard]] Image read_jpeg(Bytes file);
+[[nodiscard]] Image read_jpeg(Bytes file, std::string* note = nullptr);
 
 }  // namespace texmap

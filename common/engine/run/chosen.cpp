@@ -26,6 +26,7 @@ Chosen::Chosen(std::string_view chapter, const Offer& offer, const About& about)
   settings.samples = offer.samples;
   if (about.numbers != Numbers::all || one_number_) settings.number = NumberKind::double_;
   CommandLine& line = offer.line;
+  line.note = [this](const std::string& text) { say(text); };
   const std::string note = *about.size_note == '\0' ? "" : std::string("; ") + about.size_note;
   line.text("--out", "FILE", settings.out, "where to put the picture, a PNG");
   line.whole("--width", settings.width, 1, longest_side, "columns of pixels" + note);
@@ -99,6 +100,8 @@ bool Chosen::was_given(std::string_view option) const { return line_.was_given(o
 void Chosen::say(const std::string& text) const {
   if (!settings.quiet && (turntable == nullptr || turntable->frame == 0)) print(text);
 }
+
+void Chosen::note(const std::string& text) const { line_.note(text); }
 
 void Chosen::check() const {
   const bool double_alone = settings.number == NumberKind::double_ && settings.budget.is_exact();

@@ -63,6 +63,8 @@ class Chosen {
   void default_size(int width, int height);
   /// Prints a text, unless the user wants none: once, not for each picture of a turn.
   void say(const std::string& text) const;
+  /// The same about a file of the user's: a page shows it, too.
+  void note(const std::string& text) const;
   /// Refuses what does not go together, pictures that are too large, and files that cannot be
   /// written. Errors: UsageError, FileError.
   void check() const;

@@ -125,6 +125,9 @@ class CommandLine {
   /// True when the option was typed; valid after parse().
   [[nodiscard]] bool was_given(std::string_view name) const;
 
+  /// Tells the user what was done to a file of his.
+  std::function<void(const std::string& text)> note = [](const std::string&) {};
+
   /// The options in the order of the help.
   [[nodiscard]] const std::vector<Option>& options() const { return options_; }
   /// The line that shows how the program is called.

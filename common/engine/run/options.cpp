@@ -23,11 +23,16 @@
 
 namespace texmap {
 
-void TextureFile::declare(Offer& offer) { offer.line.text(option, "FILE", name, help); }
+void TextureFile::declare(Offer& offer) {
+  line = &offer.line;
+  offer.line.text(option, "FILE", name, help);
+}
 
 Image TextureFile::load() {
   if (!kept.pixels.empty()) return kept;
-  Image image = load_image(find_texture(name));
+  std::string note;
+  Image image = load_image(find_texture(name), &note);
+  if (line != nullptr && !note.empty()) line->note(name + " " + note + "\n");
   if (loaded) kept = image;
   loaded = true;
   return image;

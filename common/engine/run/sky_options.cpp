@@ -93,7 +93,9 @@ SkyLighting best_lighting(const SkyNoise& noise, double cost) {
 }
 
 SkyLight SkyOptions::load(const Chosen& user) {
-  LightImage map = load_light(find_texture(name));
+  std::string note;
+  LightImage map = load_light(find_texture(name), &note);
+  if (!note.empty()) user.note(name + " " + note + "\n");
   const auto factor = static_cast<float>(pow(2.0, exposure));
   for (Color<float>& texel : map.pixels) texel = texel * factor;
   Environment picture(std::move(map), filter, degrees);

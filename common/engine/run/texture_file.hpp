@@ -6,6 +6,7 @@
 
 namespace texmap {
 
+class CommandLine;
 struct Offer;
 
 /// A texture that the user can replace by another image; a second one needs its own `option`.
@@ -15,12 +16,14 @@ struct TextureFile {
   const char* option = "--texture";
 
   void declare(Offer& offer);
-  /// The picture. The second call keeps it for those that follow: a turn reads the file twice,
-  /// and a single picture has no copy. Errors: FileError with the file and where it was looked for.
+  /// The picture; says what was done to it. The second call keeps it for those that follow: a turn
+  /// reads the file twice, and a single picture has no copy.
+  /// Errors: FileError with the file and where it was looked for.
   [[nodiscard]] Image load();
 
-  Image kept{};         ///< by load()
-  bool loaded = false;  ///< load() was called
+  Image kept{};                       ///< by load()
+  bool loaded = false;                ///< load() was called
+  const CommandLine* line = nullptr;  ///< where it was declared
 };
 
 }  // namespace texmap

@@ -33,6 +33,8 @@ class LiveLesson {
   /// @param widest  columns of pixels; a wider picture is drawn smaller, in the same shape
   /// Errors: UsageError, FileError; the lesson then is as it was.
   virtual void set(const std::vector<std::string>& words, int widest) = 0;
+  /// What there is to say about the files in it, a line each.
+  [[nodiscard]] virtual std::string notes() const = 0;
   /// Columns and rows of the picture.
   [[nodiscard]] virtual Size size() const = 0;
   /// How often the picture is drawn, better each time.
@@ -123,6 +125,7 @@ class Live final : public LiveLesson {
     state_ = std::move(next);
   }
 
+  [[nodiscard]] std::string notes() const override { return state_->notes; }
   [[nodiscard]] Size size() const override { return {state_->whole.width, state_->whole.height}; }
 
   [[nodiscard]] int passes() const override {
@@ -222,8 +225,10 @@ class Live final : public LiveLesson {
     View<> whole;
     std::optional<std::vector<std::string>> words{};  ///< that it is ready for
     GatheredOf<Lesson> gathered{};
+    std::string notes;
 
     State() {
+      line.note = [this](const std::string& text) { notes += text; };
       if constexpr (requires { knobs.declare(line); }) knobs.declare(line);
     }
 
@@ -233,6 +238,7 @@ class Live final : public LiveLesson {
       bool is_ready = false;
       if constexpr (requires { knobs.take_over(lesson, before.lesson); })
         is_ready = before.words && knobs.take_over(lesson, before.lesson);
+      if (is_ready) notes = before.notes;
       if (!is_ready) lesson.build(chosen);
       if constexpr (requires { knobs.apply(lesson); }) knobs.apply(lesson);
       choose_spheres(chosen, lesson);

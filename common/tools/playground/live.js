@@ -56,6 +56,7 @@ function worker() {
   let used = "";      // the words and width that the module is set to
   let flatUsed = "";  // the flat texture that the page has
   let size = [0, 0];  // of that picture
+  let notes = "";     // on the files in it, a line each
   let job = null;     // the drawing that waits
   let drawing = false;
   const channel = new MessageChannel();
@@ -67,9 +68,12 @@ function worker() {
 
   function set(words, widest) {
     const lines = words.map((word) => word + "\n").join("");
-    if (used !== lines + widest)
-      size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ")
-        .map(Number);
+    if (used !== lines + widest) {
+      const answer = code.lend([lines], (text) => code.answer(code.calls.set(text, widest)));
+      const end = answer.indexOf("\n");
+      size = answer.slice(0, end).split(" ").map(Number);
+      notes = answer.slice(end + 1);
+    }
     used = lines + widest;
   }
   // Draws in strips, and lets messages in between; a picture of many samples in passes, and then
@@ -95,7 +99,7 @@ function worker() {
       const ends = next >= rows;
       const last = ends && pass === all - 1;
       postMessage({kind: "rows", id, columns, rows, first, strip, small, part, isBeside, ends, last,
-        pass, passes, took: performance.now() - began}, [strip.buffer]);
+        pass, passes, notes, took: performance.now() - began}, [strip.buffer]);
       if (last) return;
       const took = Math.max(performance.now() - from, 0.1);
       // 50 ms, 15 ms
@@ -118,9 +122,8 @@ function worker() {
       && flat([0, 0, 1, 1], Math.ceil(width), Math.ceil(width / aspect));
     return {whole, detail: flat(detail, 180, 180)};
   }
-  const keepPixels = (name, pixels, width, height) =>
-    code.lend([name, pixels],
-      (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
+  const keepPixels = (name, note, pixels, width, height) => code.lend([name, note, pixels],
+    (text, said, start) => code.answer(code.calls.keep_picture(text, said, start, width, height)));
   const can = {
     async load({packed}) {
       module = await WebAssembly.compile(await unpacked(packed));
@@ -135,15 +138,15 @@ function worker() {
         return;
       }
       const loader = await open(module);
-      const [width, height] = loader.lend([shown, bytes],
-        (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
-        .split(" ").map(Number);
+      const [width, height, ...note] = loader.lend([shown, bytes],
+        (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length))).split(" ");
       const start = loader.calls.pixels();
-      keepPixels(name, loader.memory().subarray(start, start + 3 * width * height), width, height);
+      keepPixels(name, note.join(" "), loader.memory().subarray(start, start + 3 * width * height),
+        Number(width), Number(height));
       postMessage({kind: "kept", name, bytes, shown, option});
     },
     drop: ({name, isRaw}) => isRaw ? code.lend([name], (text) =>
-      code.answer(code.calls.keep_file(text, 0, 0))) : keepPixels(name, new Uint8Array(3), 1, 1),
+      code.answer(code.calls.keep_file(text, 0, 0))) : keepPixels(name, "", new Uint8Array(3), 1, 1),
     begin({chapter}) {
       used = "";
       postMessage({kind: "options",
@@ -318,12 +321,6 @@ const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily", "colo
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
 // ---- Small tools.
-/// True for a PNG that says so at its beginning: alpha in each pixel, or a table of transparent
-/// colors.
-function isTransparent(bytes) {
-  return /^.PNG[^]{21}[\x04\x06]|^.PNG[^]*tRNS/.test(new TextDecoder("latin1")
-    .decode(bytes.subarray(0, 4096)));
-}
 function element(name, properties = {}, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(properties))
@@ -525,6 +522,7 @@ function live(main, packed) {
   let presets = {}, values = {}, widgets = {};
   // the options that take the reader's files, those of `fileControls`
   let ownFiles = [];
+  let notes = "";  // on the files in the picture, a line each
   let carried = {};                    // what the reader chose in chapters before this one
   const files = new Map();             // what the module was given, for a new worker
   let latest = 0, unfinished = false;  // the last drawing asked for
@@ -643,7 +641,7 @@ function live(main, packed) {
       change();
     },
     rows({id, columns, rows, first, strip, small: isSmall, part, isBeside, ends, last, pass, passes,
-      took}) {
+      notes: said, took}) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
       if (isBeside) {
         if (!isSmall && id !== latest) return;
@@ -675,6 +673,10 @@ function live(main, packed) {
           Math.min(480, 16 * Math.round((draft + draft * Math.sqrt(36 / took)) / 32)));
       if (!last || id !== latest || --due) return;
       unfinished = false;
+      if (notes !== said) {
+        notes = said;
+        refresh();
+      }
       if (isSmall) return;
       if (undo) forgetFiles(undo.option, values[undo.option]);
       undo = null;
@@ -951,8 +953,9 @@ function live(main, packed) {
     copy.textContent = "Copy";
     for (const {option, opened, hint} of ownFiles) {
       const own = values[option] !== presets[option] && files.get(values[option]);
-      opened.textContent = own ? own.shown + (isTransparent(own.bytes)
-        ? ", as if it were opaque: a surface here has no transparency" : "") : hint;
+      const noted = notes.split("\n").find((line) => own && line.startsWith(values[option]));
+      opened.textContent = own ? (noted || values[option]).replaceAll(values[option], own.shown)
+        : hint;
     }
     hereOnly.textContent = all.some((one) => one.here)
       ? `The command draws the picture without what only this page can do: ${all.filter((one) =>

@@ -21,7 +21,11 @@ using namespace texmap;
 
 std::unique_ptr<live::LiveLesson> lesson;
 Image decoded;
-std::map<std::string, Image> pictures;  // those that the page handed over
+struct Kept {
+  Image picture;
+  std::string note;  ///< what decode_image said
+};
+std::map<std::string, Kept> pictures;  // those that the page handed over
 std::map<std::string, std::vector<std::uint8_t>> files;
 
 /// The words of a text that ends each with a line feed.
@@ -45,9 +49,12 @@ namespace texmap {
 
 std::filesystem::path find_texture(const std::string& name) { return path_of(name); }
 
-Image load_image(const std::filesystem::path& path) {
+Image load_image(const std::filesystem::path& path, std::string* note) {
   const auto kept = pictures.find(name_of(path));
-  if (kept != pictures.end()) return kept->second;
+  if (kept != pictures.end()) {
+    if (note != nullptr) *note = kept->second.note;
+    return kept->second.picture;
+  }
   throw FileError("cannot load texture '" + name_of(path) + "': this page does not have it");
 }
 
@@ -65,13 +72,14 @@ SavingTime save_png(const Image&, const std::filesystem::path& path) {
 
 }  // namespace texmap
 
-/// Reads a PNG or JPEG file; returns columns and rows.
+/// Reads a PNG or JPEG file; returns columns, rows, and what decode_image notes.
 EXPORTED(decode) const char* decode(const char* name, const std::uint8_t* bytes, int size) {
   return answer([&] {
+    std::string note;
     decoded = with_name("cannot load texture", name, [&] {
-      return decode_image({bytes, static_cast<std::size_t>(size)});
+      return decode_image({bytes, static_cast<std::size_t>(size)}, &note);
     });
-    return std::to_string(decoded.width) + " " + std::to_string(decoded.height);
+    return std::to_string(decoded.width) + " " + std::to_string(decoded.height) + " " + note;
   });
 }
 
@@ -80,11 +88,12 @@ EXPORTED(pixels) const Rgb8* pixels() { return decoded.pixels.data(); }
 
 /// Keeps a texture under a name.
 EXPORTED(keep_picture)
-const char* keep_picture(const char* name, const Rgb8* pixels, int width, int height) {
+const char* keep_picture(const char* name, const char* note, const Rgb8* pixels, int width,
+                         int height) {
   return answer([&] {
     Image picture(width, height);
     std::copy_n(pixels, picture.pixels.size(), picture.pixels.begin());
-    pictures[name] = std::move(picture);
+    pictures[name] = {std::move(picture), note};
     return std::string();
   });
 }
@@ -110,7 +119,8 @@ EXPORTED(begin) const char* begin(int chapter) {
   });
 }
 
-/// Sets the options; returns columns, rows, passes, and columns and rows of the picture beside.
+/// Sets the options; returns columns, rows, passes, and columns and rows of the picture beside; then
+/// in lines of their own what there is to say about the files.
 EXPORTED(set) const char* set(const char* words, int widest) {
   return answer([&] {
     lesson->set(words_of(words), widest);
@@ -118,7 +128,7 @@ EXPORTED(set) const char* set(const char* words, int widest) {
     std::string numbers;
     for (const int n : {size.width, size.height, lesson->passes(), beside.width, beside.height})
       numbers += std::to_string(n) + " ";
-    return numbers;
+    return numbers + "\n" + lesson->notes();
   });
 }
 
