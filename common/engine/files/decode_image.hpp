@@ -17,4 +17,8 @@ namespace texmap {
 /// side and 2^27 in all; std::bad_alloc.
 [[nodiscard]] Image decode_image(Bytes file, std::string* note = nullptr);
 
+/// Throws FileError with the kind of a file that is none of those wanted, by its first bytes, and
+/// what makes a picture of it.
+[[noreturn]] void refuse_kind(Bytes file, bool is_sky);
+
 }  // namespace texmap

@@ -14,8 +14,7 @@ LightImage load_light(const std::filesystem::path& path, std::string* note) {
   return with_name("cannot load texture", path, [&] {
     const auto file = read_file(path, max_file_bytes);
     if (looks_like_hdr(file)) return read_hdr(file, max_light_texels);
-    if (!looks_like_png(file) && !looks_like_jpeg(file))
-      throw FileError("it is not a PNG, JPEG or Radiance .hdr file, whatever its name says");
+    if (!looks_like_png(file) && !looks_like_jpeg(file)) refuse_kind(file, true);
     const Image image = decode_image(file, note);
     check_sky_size(
         {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)},

@@ -126,7 +126,7 @@ TEST_CASE("an error names the thing that is wrong") {
       {"bad_jpg_2comp.jpg", "2 color channels"},
       {"bad_jpg_trunc_half.jpg", "cut short"},
       {"bad_one_byte.png", "not a PNG or JPEG file"},
-      {"fmt_html.jpg", "not a PNG or JPEG file"},
+      {"fmt_html.jpg", "a web page, not a PNG or JPEG file"},
   };
   for (const auto& row : table) {
     const std::string said = error_of_loading(corpus + row.first);

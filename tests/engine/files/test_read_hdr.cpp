@@ -124,10 +124,12 @@ TEST_CASE("the content decides what a file is, and PNG bytes become light by the
   CHECK(light.pixels[1].b == 0);
   put(folder / "bad.hdr", head(2, 2) + flat(3));
   put(folder / "other.hdr", std::string("GIF89a...") + HdrBytes());
+  put(folder / "exr.hdr", std::string("v/1\1\2...") + HdrBytes());
   save_png(Image(4096, 2049), folder / "large.png");
   for (const auto& item : std::vector<std::pair<std::string, std::string>>{
            {"bad.hdr", "': the Radiance file is damaged: it ends in row 1"},
-           {"other.hdr", "': it is not a PNG, JPEG or Radiance .hdr file"},
+           {"other.hdr", "': it is a GIF picture, not a PNG, JPEG or Radiance .hdr file"},
+           {"exr.hdr", "try: pfsin FILE | pfsout out.hdr"},
            {"large.png", "a sky may have at most 8388608"},
            {"none.hdr", ""}}) {
     const std::string path = folder / item.first;
