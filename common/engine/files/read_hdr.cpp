@@ -8,10 +8,12 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/files/file_error.hpp"
 #include "engine/files/image_limits.hpp"
+#include "engine/files/pixel_order.hpp"
 #include "engine/files/text.hpp"
 
 namespace texmap {
@@ -42,15 +44,16 @@ class Reader {
 
   LightImage read(std::uint64_t most_texels) {
     const double exposure = header();
-    const ImageSize size = resolution();
+    const auto [size, order] = resolution();
     check_image_size(size);
     check_sky_size(size, most_texels);
-    LightImage image(static_cast<int>(size.width), static_cast<int>(size.height));
+    const int columns = static_cast<int>(size.width), rows = static_cast<int>(size.height);
+    LightImage image = order.picture<Color<float>>(columns, rows);
     std::vector<Rgbe> row(size.width);
-    for (int y = 0; y < image.height; ++y) {
+    for (int y = 0; y < rows; ++y) {
       scanline(row, y);
-      for (int x = 0; x < image.width; ++x)
-        image.at(x, y) = light_of(row[static_cast<std::size_t>(x)], exposure);
+      for (int x = 0; x < columns; ++x)
+        order.at(image, x, y) = light_of(row[static_cast<std::size_t>(x)], exposure);
     }
     return image;
   }
@@ -63,7 +66,7 @@ class Reader {
     if (end == rest_.end() || header_bytes_ > max_header_bytes) damaged("its header does not end");
     const std::string_view line(reinterpret_cast<const char*>(rest_.data()), length);
     rest_ = rest_.subspan(length + 1);
-    return line;
+    return line.substr(0, line.find_last_not_of(" \t\r") + 1);
   }
 
   // The lines before the first empty one. Returns the product of all exposures.
@@ -73,19 +76,19 @@ class Reader {
     take_line();  // the signature
     for (std::string_view line = take_line(); !line.empty(); line = take_line()) {
       const auto value_of = [line](std::string_view name) {
-        return line.substr(0, name.size()) == name ? line.substr(name.size()) : std::string_view{};
+        if (line.substr(0, name.size()) != name) return std::string_view{};
+        return line.substr(std::min(line.find_first_not_of(" \t", name.size()), line.size()));
       };
       if (const std::string_view format = value_of("FORMAT="); !format.empty()) {
         has_format = true;
         if (format != "32-bit_rle_rgbe") {
           throw FileError("its format is " + printable(format) +
-                          ", and only 32-bit_rle_rgbe can be read; Radiance's ra_xyze converts it");
+                          ", and only 32-bit_rle_rgbe can be read; try: ra_xyze -r FILE out.hdr");
         }
       }
       if (const std::string_view typed = value_of("EXPOSURE="); !typed.empty()) {
-        const std::string_view digits =
-            typed.substr(std::min(typed.find_first_not_of(" \t"), typed.size()));
-        exposure *= read_decimal(digits).value_or(0);
+        const double factor = read_decimal(typed).value_or(-1);
+        exposure *= factor == 0 ? 1 : factor;  // many programs write 0 for "not known"
         if (!(exposure >= 1e-30 && exposure <= 1e30))
           damaged("the exposure " + printable(typed) + " is not a number from 1e-30 to 1e30");
       }
@@ -94,32 +97,33 @@ class Reader {
     return exposure;
   }
 
-  // The line of the picture's size: -Y, its height, +X, its width.
-  ImageSize resolution() {
+  // The line of the size, usually -Y height +X width: how many rows the file has, and how many
+  // texels each. -Y runs down, +X to the right. In files that begin with X they are columns.
+  std::pair<ImageSize, PixelOrder> resolution() {
     const std::string_view line = take_line();
     std::string_view left = line;
-    const auto take = [&left](std::string_view word) {
-      const bool there = left.substr(0, word.size()) == word;
-      if (there) left.remove_prefix(word.size());
-      return there;
-    };
-    const auto take_number = [&](std::uint32_t& number) {
-      const auto [end, error] = std::from_chars(left.data(), left.data() + left.size(), number);
-      if (error != std::errc()) return false;
+    std::uint32_t sizes[2] = {};
+    bool minus[2] = {}, is_x[2] = {};
+    bool whole = true;
+    for (int i = 0; i < 2; ++i) {
+      left.remove_prefix(std::min(left.find_first_not_of(" \t"), left.size()));
+      whole = whole && left.size() > 3 && (left[0] == '+' || left[0] == '-') &&
+              (left[1] == 'X' || left[1] == 'Y') && left[2] == ' ';
+      if (!whole) break;
+      minus[i] = left[0] == '-';
+      is_x[i] = left[1] == 'X';
+      const auto [end, error] =
+          std::from_chars(left.data() + 3, left.data() + left.size(), sizes[i]);
+      whole = error == std::errc();
       left.remove_prefix(static_cast<std::size_t>(end - left.data()));
-      return true;
-    };
-    ImageSize size;
-    if (take("-Y ") && take_number(size.height) && take(" +X ") && take_number(size.width) &&
-        left.empty())
-      return size;
-    const bool other_way = line.size() > 2 && (line[0] == '+' || line[0] == '-') &&
-                           (line[1] == 'X' || line[1] == 'Y') && line.find("-Y") != 0;
-    if (other_way) {
-      throw FileError("its rows run as " + printable(line) +
-                      " says, and only -Y +X can be read; Radiance's ra_rgbe or pflip turns it");
     }
-    damaged("its size " + printable(line) + " is not of the form -Y height +X width");
+    if (!whole || !left.empty() || is_x[0] == is_x[1])
+      damaged("its size " + printable(line) + " is not of the form -Y height +X width");
+    // The first of the two counts the file's rows.
+    return {{sizes[1], sizes[0]},
+            {.from_right = minus[1] == is_x[1],
+             .from_below = minus[0] == is_x[0],
+             .columns_first = is_x[0]}};
   }
 
   std::uint8_t take_byte(int row) {
@@ -213,10 +217,7 @@ class Reader {
 }  // namespace
 
 bool looks_like_hdr(Bytes file) {
-  const auto begins_with = [file](std::string_view word) {
-    return file.size() >= word.size() && std::equal(word.begin(), word.end(), file.begin());
-  };
-  return begins_with("#?RADIANCE\n") || begins_with("#?RGBE\n");
+  return file.size() > 2 && file[0] == '#' && file[1] == '?';  // then RADIANCE, RGBE or a program
 }
 
 LightImage read_hdr(Bytes file, std::uint64_t most_texels) {

@@ -16,7 +16,7 @@ inline constexpr double brightest_texel = 1e12;
 /// the old or the new kind. Texels are the middles of their steps, as in Radiance's own reader.
 ///
 /// @param most_texels   more are refused before any is decoded
-/// Errors: FileError unless the picture is whole, -Y +X and RGBE; std::bad_alloc.
+/// Errors: FileError unless the picture is whole and RGBE; std::bad_alloc.
 /// Source: Ward, "Real Pixels", Graphics Gems II (1991); Radiance's color.c.
 [[nodiscard]] LightImage read_hdr(Bytes file, std::uint64_t most_texels);
 
