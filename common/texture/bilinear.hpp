@@ -2,7 +2,7 @@
 #pragma once
 #include "number/table.hpp"
 #include "texture/bilinear_mix.hpp"
-#include "texture/light_texture.hpp"
+#include "texture/light_image.hpp"
 #include "texture/wrap.hpp"
 
 namespace texmap {
@@ -13,6 +13,7 @@ struct BilinearTexture {
   Image image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
   TexelLight light = TexelLight::encoded;  ///< what is mixed; only linear light has a correct mean
+  LightImage deep{};  ///< if not empty, finer numbers in place of the image's bytes
 
   /// The color at (u, v), exact at texel centers.
   ///
@@ -37,6 +38,7 @@ struct BilinearTexture {
   template <class Real>
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
     const Real row = v_axis == VAxis::down ? from_zero : Real(image.height - 1) - from_zero;
+    if (!deep.pixels.empty()) return light_at(deep, column, row);
     const bool decoded = light != TexelLight::encoded;
     const auto* levels = decoded ? light_of_bytes<LightEntry<Real>>(light).data() : nullptr;
     const auto channels = look_up(

@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 
-#include "number/table.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/light_image.hpp"
 #include "texture/uv.hpp"
@@ -55,14 +54,8 @@ struct SmoothTexture {
   template <class Real>
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
     const WrappedTexel<Real> place = wrapped_texel(wrap, column, row, image.width, image.height);
-    const std::array<Real, 3> light = look_up(
-        [&](int at_column, int at_row) {
-          const Color<float>& c = image.at(at_column, at_row);
-          return std::array{c.r, c.g, c.b};
-        },
-        clamp(place.column, Real(0), Real(image.width - 1)),  // a NaN becomes 0
-        clamp(place.row, Real(0), Real(image.height - 1)));
-    return {light[0], light[1], light[2]};
+    return light_at(image, clamp(place.column, Real(0), Real(image.width - 1)),  // a NaN becomes 0
+                    clamp(place.row, Real(0), Real(image.height - 1)));
   }
 };
 

@@ -236,7 +236,7 @@ def check_files(place, browser):
             }})()""")
         settle(browser, f"{COMMAND}.includes('{chosen.name}')")
         opened = browser.run("document.querySelector('.live-open > span').textContent")
-        if not opened.startswith(chosen.name) or ("opaque" in opened) != (chapter == "03"):
+        if not opened.startswith(chosen.name) or ("transparent" in opened) != (chapter == "03"):
             yield f"the page says of {chosen.name}: {opened!r}"
         drawn = pixels(browser)
         yield from place.unlike(drawn, shlex.split(browser.run(COMMAND)), *drawn[:2])

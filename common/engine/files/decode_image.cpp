@@ -84,10 +84,10 @@ void refuse_kind(Bytes file, bool is_sky) {
   throw FileError("it is not " + wanted + ", whatever its name says");
 }
 
-Image decode_image(Bytes file, std::string* note) {
+Image decode_image(Bytes file, std::string* note, LightImage* deep) {
   if (file.size() > max_file_bytes) throw FileError("the file is too long");
   if (file.empty()) throw FileError("the file is empty");
-  if (looks_like_png(file)) return read_png(file);
+  if (looks_like_png(file)) return read_png(file, note, deep);
   if (looks_like_jpeg(file)) return read_jpeg(file, note);
   refuse_kind(file, false);
 }

@@ -7,9 +7,9 @@
 
 namespace texmap {
 
-Image load_image(const std::filesystem::path& path, std::string* note) {
+Image load_image(const std::filesystem::path& path, std::string* note, LightImage* deep) {
   return with_name("cannot load texture", path,
-                   [&] { return decode_image(read_file(path, max_file_bytes), note); });
+                   [&] { return decode_image(read_file(path, max_file_bytes), note, deep); });
 }
 
 }  // namespace texmap

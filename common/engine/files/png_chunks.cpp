@@ -143,7 +143,6 @@ void damaged_png(const std::string& how) { throw FileError("the PNG file is dama
 PngChunks read_png_chunks(Bytes file) {
   Bytes rest = file.subspan(png_signature.size());
   PngChunks found;
-  bool transparency = false;
   bool image_data_ended = false;
 
   // The header comes first, and nothing is believed before it.
@@ -165,14 +164,14 @@ PngChunks read_png_chunks(Bytes file) {
     if (type == "PLTE") {
       require(found.palette.empty(), "it has two palettes (PLTE)");
       require(!image_data, "its palette (PLTE) comes after the pixels");
-      require(!transparency, "its palette (PLTE) comes after the transparency (tRNS)");
+      require(found.transparency.empty(), "its palette (PLTE) comes after the transparency (tRNS)");
       check_palette(found.header, data);
       found.palette = data;
     } else if (type == "tRNS") {
-      require(!transparency, "it has two transparencies (tRNS)");
+      require(found.transparency.empty(), "it has two transparencies (tRNS)");
       require(!image_data, "its transparency (tRNS) comes after the pixels");
       check_transparency(found.header, found.palette.size() / 3, data);
-      transparency = true;
+      found.transparency = data;
     } else if (type == "IDAT") {
       require(!image_data_ended, "its pixels (IDAT) are not in one piece");
       require(found.header.color_type != 3 || !found.palette.empty(),

@@ -26,6 +26,7 @@ struct PngHeader {
 struct PngChunks {
   PngHeader header;
   Bytes palette;                  // three bytes a color; empty without a palette
+  Bytes transparency;             // of tRNS: palette colors' alpha, or the transparent color
   std::vector<Bytes> compressed;  // the zlib stream, in the pieces of the IDAT chunks, at least one
 };
 

@@ -116,6 +116,63 @@ void unfilter(int filter, std::span<std::uint8_t> row, Bytes above, std::size_t 
   if (filter > 4) damaged_png("a row has filter " + std::to_string(filter));
 }
 
+// A channel of an unfiltered row, counted over all its pixels; in a row of a palette its number.
+std::uint32_t sample_at(Bytes row, std::size_t i, std::size_t depth) {
+  if (depth == 16) return big_endian_16(row, 2 * i);
+  return row[i * depth / 8] >> (8 - depth - i * depth % 8) & ((1U << depth) - 1);
+}
+
+// The byte nearest to a channel of 16 bits.
+std::uint8_t nearest_byte(std::uint32_t sample) {
+  return static_cast<std::uint8_t>((sample + 128) / 257);
+}
+
+// How opaque a pixel of a row is: by its last channel, by its place in the palette, or not at all
+// if it has the file's transparent color.
+std::uint8_t alpha_of(const PngChunks& png, Bytes row, std::size_t i) {
+  const std::size_t depth = png.header.bit_depth, channels = png.header.channels;
+  if (png.header.color_type >= 4) {
+    const std::uint32_t alpha = sample_at(row, (i + 1) * channels - 1, depth);
+    return depth == 16 ? nearest_byte(alpha) : static_cast<std::uint8_t>(alpha);
+  }
+  if (png.header.color_type == 3) {
+    const std::size_t color = sample_at(row, i, depth);
+    return color < png.transparency.size() ? png.transparency[color] : 255;
+  }
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    const std::uint32_t key = big_endian_16(png.transparency, 2 * channel);
+    if (sample_at(row, i * channels + channel, depth) != (key & ((1U << depth) - 1))) return 255;
+  }
+  return 0;
+}
+
+// Puts a row's pixels over black; true if one of them is not opaque.
+bool put_over_black(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out,
+                    std::size_t step) {
+  bool any = false;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const unsigned alpha = alpha_of(png, row, i);
+    if (alpha == 255) continue;
+    any = true;
+    Rgb8& pixel = out[i * step];
+    for (std::uint8_t* channel : {&pixel.r, &pixel.g, &pixel.b})
+      *channel = static_cast<std::uint8_t>((*channel * alpha + 127) / 255);
+  }
+  return any;
+}
+
+// Makes numbers of a row of 16 bits a channel. Grey has its one channel three times.
+void put_deep_row(const PngChunks& png, Bytes row, std::size_t columns, Color<float>* out,
+                  std::size_t step) {
+  const std::size_t channels = png.header.channels, next = channels < 3 ? 0 : 1;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const auto channel = [&](std::size_t n) {
+      return static_cast<float>(sample_at(row, i * channels + n, 16)) / 65535;
+    };
+    out[i * step] = {channel(0), channel(next), channel(2 * next)};
+  }
+}
+
 // Makes pixels of an unfiltered row, each `step` places after the one before it.
 void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, std::size_t step) {
   const std::size_t depth = png.header.bit_depth;
@@ -128,7 +185,7 @@ void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, st
   } else if (png.header.channels == 1 && depth <= 8) {
     const unsigned largest = (1U << depth) - 1;
     put([&](std::size_t i) {
-      const std::size_t sample = row[i * depth / 8] >> (8 - depth - i * depth % 8) & largest;
+      const std::size_t sample = sample_at(row, i, depth);
       if (png.header.color_type != 3) {
         const auto grey = static_cast<std::uint8_t>(sample * (255 / largest));
         return Rgb8{grey, grey, grey};
@@ -141,11 +198,13 @@ void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, st
       return Rgb8{color[0], color[1], color[2]};
     });
   } else {
-    // Of two bytes the first is the high one. Grey has its one channel three times.
+    // Grey has its one channel three times.
     const std::size_t next = png.header.channels < 3 ? 0 : depth / 8;
     put([&](std::size_t i) {
       const std::uint8_t* const at = &row[i * pixel];
-      return Rgb8{at[0], at[next], at[2 * next]};
+      if (depth == 8) return Rgb8{at[0], at[next], at[2 * next]};
+      const auto byte = [at](std::size_t n) { return nearest_byte(at[n] * 256U + at[n + 1]); };
+      return Rgb8{byte(0), byte(next), byte(2 * next)};
     });
   }
 }
@@ -157,7 +216,7 @@ bool looks_like_png(Bytes file) {
          std::equal(png_signature.begin(), png_signature.end(), file.begin());
 }
 
-Image read_png(Bytes file) {
+Image read_png(Bytes file, std::string* note, LightImage* deep) {
   const PngChunks png = read_png_chunks(file);
   const PngHeader& header = png.header;
   std::vector<std::uint8_t> joined;
@@ -179,7 +238,9 @@ Image read_png(Bytes file) {
   const std::size_t own_room = header.interlaced ? promised : 0;
   const std::size_t shared_room =
       header.interlaced ? area : std::max(area, promised / sizeof(Rgb8) + 1);
-  check_decoding_bytes(2 * file.size() + own_room + shared_room * sizeof(Rgb8));
+  const bool is_deep = deep != nullptr && header.bit_depth == 16;
+  const std::size_t deep_room = is_deep ? area * sizeof(Color<float>) : 0;
+  check_decoding_bytes(2 * file.size() + own_room + shared_room * sizeof(Rgb8) + deep_room);
   // Two bytes of header, four of checksum, and deflate makes at most 1032 bytes out of one.
   if (compressed.size() < 6 || promised / 1032 > compressed.size())
     damaged_png("it has too few bytes for its size in pixels");
@@ -194,6 +255,10 @@ Image read_png(Bytes file) {
   std::span<std::uint8_t> rest = header.interlaced ? own : shared.last(promised);
   inflate(compressed, rest);
 
+  if (is_deep) *deep = LightImage(image.width, image.height);
+  const bool may_show_black =
+      note != nullptr && deep == nullptr && (header.color_type >= 4 || !png.transparency.empty());
+  bool shows_black = false;
   const std::size_t pixel = std::max(1U, header.channels * header.bit_depth / 8);
   for (const Pass& pass : passes(header)) {
     const PassSize size = pass_size(header, pass);
@@ -203,13 +268,18 @@ Image read_png(Bytes file) {
       std::copy_n(&rest[1], size.row_bytes, row.begin());
       unfilter(rest[0], row, above, pixel);
       rest = rest.subspan(1 + size.row_bytes);
-      Rgb8& first = image.at(static_cast<int>(pass.first_column),
-                             static_cast<int>(pass.first_row + r * pass.row_step));
-      put_row(png, row, size.columns, &first, pass.column_step);
+      const int x = static_cast<int>(pass.first_column);
+      const int y = static_cast<int>(pass.first_row + r * pass.row_step);
+      Rgb8* const first = &image.at(x, y);
+      put_row(png, row, size.columns, first, pass.column_step);
+      if (is_deep) put_deep_row(png, row, size.columns, &deep->at(x, y), pass.column_step);
+      if (may_show_black && put_over_black(png, row, size.columns, first, pass.column_step))
+        shows_black = true;
       row.swap(above);
     }
   }
   image.pixels.resize(area);
+  if (shows_black) *note = "has transparent texels: they are drawn over black";
   return image;
 }
 

@@ -1,18 +1,21 @@
 // From the bytes of a PNG file to a picture.
 #pragma once
+#include <string>
+
 #include "engine/files/bytes.hpp"
-#include "texture/image.hpp"
+#include "texture/light_image.hpp"
 
 namespace texmap {
 
 [[nodiscard]] bool looks_like_png(Bytes file);
 
-/// The picture in a PNG file, every byte of it checked; alpha and transparency are dropped.
+/// The picture in a PNG file, every byte of it checked.
 ///
 /// @param file  a file that looks_like_png
+/// @param note, deep  see decode_image
 /// Errors: FileError, also if the zlib stream is shorter or longer than the header says;
 /// std::bad_alloc.
 /// Source: PNG specification, third edition, sections 7 to 9.
-[[nodiscard]] Image read_png(Bytes file);
+[[nodiscard]] Image read_png(Bytes file, std::string* note = nullptr, LightImage* deep = nullptr);
 
 }  // namespace texmap

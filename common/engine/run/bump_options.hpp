@@ -11,6 +11,7 @@ namespace texmap {
 
 struct Offer;
 class Chosen;
+class CommandLine;
 
 enum class HeightKind {
   image,  ///< of an image in (u, v)
@@ -35,12 +36,13 @@ struct BumpOptions {
   double step = 1e-3;
   std::string normals;  ///< the file of a normal map in place of heights; empty: none
   Green green = Green::up;
+  const CommandLine* declared = nullptr;  ///< where
 
   void declare(Offer& offer);
   /// The height image. Errors: FileError with the file and where it was looked for.
   [[nodiscard]] LightImage load() const;
   /// The normal map as a texture of bytes / 255, without decoding.
-  /// Errors: FileError as for load(); UsageError if most of its normals point inward.
+  /// Errors: FileError as for load(); UsageError if all is gray, or most normals point inward.
   [[nodiscard]] BilinearTexture load_normals(VAxis v_axis) const;
   /// Errors: UsageError for options that do not go together.
   void check(const Chosen& chosen) const;

@@ -23,7 +23,8 @@ struct FilterOptions {
   Wrap wrap = Wrap::repeat;  ///< of the floor; the globe's is spherical
   int taps = 16;
   std::string floor_file = "checkers";
-  std::string plot;  ///< the file for the plot of errors; empty: none
+  std::string plot;                       ///< the file for the plot of errors; empty: none
+  const CommandLine* declared = nullptr;  ///< where
 
   void declare(Offer& offer);
   /// The floor's picture as a texture.

@@ -1,6 +1,7 @@
 // What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
 // of their own, have files of their own. A program that offers none of these groups links none.
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -23,16 +24,26 @@
 
 namespace texmap {
 
+namespace {
+
+// The picture of a file; says what was done to it.
+Image load_noted(const std::string& name, const CommandLine* line, LightImage* deep = nullptr) {
+  std::string note;
+  Image image = load_image(find_texture(name), &note, deep);
+  if (line != nullptr && !note.empty()) line->note(name + " " + note + "\n");
+  return image;
+}
+
+}  // namespace
+
 void TextureFile::declare(Offer& offer) {
-  line = &offer.line;
+  declared = &offer.line;
   offer.line.text(option, "FILE", name, help);
 }
 
 Image TextureFile::load() {
   if (!kept.pixels.empty()) return kept;
-  std::string note;
-  Image image = load_image(find_texture(name), &note);
-  if (line != nullptr && !note.empty()) line->note(name + " " + note + "\n");
+  Image image = load_noted(name, declared);
   if (loaded) kept = image;
   loaded = true;
   return image;
@@ -130,6 +141,7 @@ ImageTexture ProjectionOptions::load(TextureFile& file) const {
 
 void BumpOptions::declare(Offer& offer) {
   CommandLine& line = offer.line;
+  declared = &line;
   line.choice(
       "--show", picture, "globe|sheet|poles|daily",
       "globe: the globe. sheet: eight ways to read one normal map. poles: heights at a pole. "
@@ -181,7 +193,15 @@ bool BumpOptions::paints(const Chosen& chosen) const {
 }
 
 BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
-  Image map = load_image(find_texture(normals));
+  LightImage deep;
+  Image map = load_noted(normals, declared, &deep);
+  const auto is_gray = [](const Rgb8& texel) {  // nearly, after JPEG; no normal has r = b often
+    return std::abs(texel.r - texel.g) <= 8 && std::abs(texel.g - texel.b) <= 8;
+  };
+  if (std::all_of(map.pixels.begin(), map.pixels.end(), is_gray)) {
+    throw UsageError("--normals " + normals +
+                     ": all its texels are gray; it looks like heights: use --relief-image");
+  }
   const auto inward = std::count_if(map.pixels.begin(), map.pixels.end(),
                                     [](const Rgb8& texel) { return texel.b < 128; });
   if (2 * static_cast<std::size_t>(inward) > map.pixels.size()) {
@@ -189,11 +209,13 @@ BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
                      ": most of its normals point inward (blue below 128), so it is no normal map. "
                      "If it has heights, give it to --relief-image");
   }
-  return {std::move(map), v_axis};
+  return {std::move(map), v_axis, TexelLight::encoded, std::move(deep)};
 }
 
 LightImage BumpOptions::load() const {
-  return light_of(load_image(find_texture(image)), TexelLight::encoded);
+  LightImage deep;
+  const Image bytes = load_noted(image, declared, &deep);
+  return deep.pixels.empty() ? light_of(bytes, TexelLight::encoded) : deep;
 }
 
 namespace {
@@ -210,6 +232,7 @@ FilteredTexture texture_of(const Image& image, const FilterOptions& options, Wra
 
 void FilterOptions::declare(Offer& offer) {
   CommandLine& line = offer.line;
+  declared = &line;
   // A new filter also has a place on chapter 09's sheet.cpp and in its comparison.cpp.
   line.choice<Filter>("--filter", filter,
                       {{"nearest", Filter::nearest},
@@ -249,7 +272,8 @@ Image checkers_image(int size, int squares) {
 
 FilteredTexture FilterOptions::load_floor() const {
   const bool made = floor_file == "checkers";
-  return texture_of(made ? checkers_image(1024, 32) : TextureFile{floor_file}.load(), *this, wrap);
+  return texture_of(made ? checkers_image(1024, 32) : load_noted(floor_file, declared), *this,
+                    wrap);
 }
 
 FilteredTexture FilterOptions::load_globe(TextureFile& file) const {

@@ -16,14 +16,13 @@ struct TextureFile {
   const char* option = "--texture";
 
   void declare(Offer& offer);
-  /// The picture; says what was done to it. The second call keeps it for those that follow: a turn
-  /// reads the file twice, and a single picture has no copy.
-  /// Errors: FileError with the file and where it was looked for.
+  /// The picture. The second call keeps it for those that follow: a turn reads the file twice,
+  /// and a single picture has no copy. Errors: FileError with the file and where it was looked for.
   [[nodiscard]] Image load();
 
-  Image kept{};                       ///< by load()
-  bool loaded = false;                ///< load() was called
-  const CommandLine* line = nullptr;  ///< where it was declared
+  Image kept{};                           ///< by load()
+  bool loaded = false;                    ///< load() was called
+  const CommandLine* declared = nullptr;  ///< where
 };
 
 }  // namespace texmap

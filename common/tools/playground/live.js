@@ -268,9 +268,9 @@ const fileControls = [
   {option: "--sky", button: "Open sky…", takes: ".hdr," + pictureFiles,
     hint: "a Radiance .hdr, PNG or JPEG, twice as wide as high", isRaw: true},
   {option: "--relief-image", button: "Open heights…", takes: pictureFiles,
-    hint: "a PNG or JPEG, twice as wide as high"},
+    hint: "a PNG or JPEG, twice as wide as high", isRaw: true},
   {option: "--normals", button: "Open normals…", takes: pictureFiles,
-    hint: "a normal map in place of heights"},
+    hint: "a normal map in place of heights", isRaw: true},
 ];
 // Chapters whose second picture lies on the first, up to a line.
 const lies = {"09": true};

@@ -49,19 +49,20 @@ namespace texmap {
 
 std::filesystem::path find_texture(const std::string& name) { return path_of(name); }
 
-Image load_image(const std::filesystem::path& path, std::string* note) {
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t) {
+  const auto kept = files.find(name_of(path));
+  if (kept != files.end()) return kept->second;
+  throw FileError("this page does not have it");
+}
+
+Image load_image(const std::filesystem::path& path, std::string* note, LightImage* deep) {
   const auto kept = pictures.find(name_of(path));
   if (kept != pictures.end()) {
     if (note != nullptr) *note = kept->second.note;
     return kept->second.picture;
   }
-  throw FileError("cannot load texture '" + name_of(path) + "': this page does not have it");
-}
-
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t) {
-  const auto kept = files.find(name_of(path));
-  if (kept != files.end()) return kept->second;
-  throw FileError("this page does not have it");
+  return with_name("cannot load texture", path,
+                   [&] { return decode_image(read_file(path, 0), note, deep); });
 }
 
 void check_output(const std::filesystem::path&) {}

@@ -118,6 +118,30 @@ TEST_CASE("a JPEG file is turned as its EXIF says, and a damaged EXIF turns noth
   }
 }
 
+TEST_CASE("numbers of 16 bits keep them all, and alpha is no part of them") {
+  struct Row {
+    const char* file;
+    int column, row;
+    texmap::Color<float> sample;
+  };
+  for (const Row& row : {Row{"png_grey16.png", 5, 3, {24688, 24688, 24688}},
+                         Row{"png_adam7_rgba16.png", 5, 3, {24688, 39851, 55014}}}) {
+    texmap::LightImage deep;
+    std::string note;
+    const Image bytes = load_image(corpus + row.file, &note, &deep);
+    CHECK(note.empty());
+    CHECK(bytes == load_image(corpus + row.file));
+    REQUIRE(deep.pixels.size() == bytes.pixels.size());
+    const texmap::Color<float>& there = deep.at(row.column, row.row);
+    CHECK(there.r == row.sample.r / 65535);
+    CHECK(there.g == row.sample.g / 65535);
+    CHECK(there.b == row.sample.b / 65535);
+  }
+  texmap::LightImage deep;
+  static_cast<void>(load_image(corpus + "png_rgb8_trns.png", nullptr, &deep));
+  CHECK(deep.pixels.empty());
+}
+
 // What damaged.tsv does not have.
 TEST_CASE("an error names the thing that is wrong") {
   const std::vector<std::pair<std::string, std::string>> table = {

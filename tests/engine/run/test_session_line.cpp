@@ -87,7 +87,10 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
            {"11_bump_and_normal_maps", "--normals bricks_normals.png --show poles",
             "--normals is for the globe: leave out --show"},
            {"11_bump_and_normal_maps", "--normals earth_relief.png",
-            "--normals earth_relief.png: most of its normals point inward (blue below 128), so it "
+            "--normals earth_relief.png: all its texels are gray; it looks like heights: use "
+            "--relief-image"},
+           {"11_bump_and_normal_maps", "--normals crate.png",
+            "--normals crate.png: most of its normals point inward (blue below 128), so it "
             "is no normal map. If it has heights, give it to --relief-image"},
 #ifdef TEXMAP_ALL_NUMBERS
            {"07_earth_by_sampling", "--budget levels=4",
