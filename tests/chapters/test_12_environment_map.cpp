@@ -59,6 +59,21 @@ TEST_CASE(
   CHECK(count_different(developed(after, 16), expected) > 1000);
 }
 
+TEST_CASE("--sky-mirrored exchanges the left and the right of the picture, and nothing else") {
+  const LightImage map = sky_of_the_chapter();
+  const Lesson lesson = prepared<Lesson>({"--sky-mirrored", "--light", "cosine"});
+  const LightImage& mirrored = lesson.stage.sky.picture.map();
+  REQUIRE(mirrored.width == map.width);
+  bool same = true;
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      const Color<float>&a = mirrored.at(map.width - 1 - column, row), &b = map.at(column, row);
+      same = same && a.r == b.r && a.g == b.g && a.b == b.b;
+    }
+  }
+  CHECK(same);
+}
+
 TEST_CASE("white furnace: under a sky of ones the white chapter cannot be told from the sky") {
   Lesson lesson = under(LightImage(8, 4, gray(1.0F)));
   lesson.sampling.bounces = 1000;

@@ -7,15 +7,12 @@
 
 namespace texmap {
 
-/// The picture in a PNG or JPEG file that is already in memory; the content decides which it is.
-/// Rounds 16-bit channels to bytes, makes grey three channels; drops alpha unless there is a note.
+/// The picture in a PNG or JPEG file of at most 64 MiB; the content decides which it is. Takes at
+/// most 1 GiB. Rounds 16 bits to bytes, makes grey three channels, drops alpha without a note.
 ///
-/// @param note  if there, gets what its user should know, such as "is turned as its EXIF says", and
-///              transparent pixels are put over black
-/// @param deep  if there, the pixels are numbers, not colors: alpha is dropped, and this gets those
-///              of a PNG with 16-bit channels, each divided by 65535; of others it stays empty
-/// Memory: at most 1 GiB. Errors: FileError unless it is a whole picture of at most 16384 pixels a
-/// side and 2^27 in all; std::bad_alloc.
+/// @param note  gets what its user should know, and transparent pixels are put over black
+/// @param deep  for numbers, not colors: gets those of a PNG with 16 bits, / 65535; else empty
+/// Errors: FileError unless whole, a side at most 16384, the area 2^27; std::bad_alloc.
 [[nodiscard]] Image decode_image(Bytes file, std::string* note = nullptr,
                                  LightImage* deep = nullptr);
 

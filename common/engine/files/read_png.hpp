@@ -11,8 +11,7 @@ namespace texmap {
 
 /// The picture in a PNG file, every byte of it checked.
 ///
-/// @param file  a file that looks_like_png
-/// @param note, deep  see decode_image
+/// @param file  a file that looks_like_png; decode_image says what `note` and `deep` get
 /// Errors: FileError, also if the zlib stream is shorter or longer than the header says;
 /// std::bad_alloc.
 /// Source: PNG specification, third edition, sections 7 to 9.

@@ -37,6 +37,8 @@ void SkyOptions::declare(Offer& offer) {
                "multiply the sky's light by 2 to this power (stops)");
   line.decimal("--degrees", degrees, -1e300, 1e300,
                "rotates the sky about the vertical axis by this angle");
+  line.flag("--sky-mirrored", mirrored,
+            "exchanges the picture's left and right, for panoramas that come out mirrored");
   line.choice("--filter", filter, "nearest|bilinear",
               "how the sky is read between the centers of its texels");
 }
@@ -96,6 +98,10 @@ SkyLight SkyOptions::load(const Chosen& user) {
   std::string note;
   LightImage map = load_light(find_texture(name), &note);
   if (!note.empty()) user.note(name + " " + note + "\n");
+  if (mirrored) {
+    for (auto row = map.pixels.begin(); row != map.pixels.end(); row += map.width)
+      std::reverse(row, row + map.width);
+  }
   const auto factor = static_cast<float>(pow(2.0, exposure));
   for (Color<float>& texel : map.pixels) texel = texel * factor;
   Environment picture(std::move(map), filter, degrees);

@@ -23,6 +23,7 @@ struct SkyOptions {
   std::string name = "sky.hdr";  ///< a path, or a file in assets/
   double exposure = 0;           ///< stops: the light times 2^exposure
   double degrees = 0;            ///< turn of the sky about +y
+  bool mirrored = false;         ///< the file's left and right exchanged
   TexelFilter filter = TexelFilter::bilinear;
   std::optional<SkyLighting> chosen;  ///< by the user; else the program chooses
   MatteLight matte;                   ///< what is drawn, once the sky is loaded

@@ -13,7 +13,7 @@ struct SamplesOnTheSky {
   static bool take_over(chapter_12::Lesson& lesson, chapter_12::Lesson& before) {
     const auto loaded = [](const chapter_12::Lesson& one) {
       const SkyOptions& sky = one.sky;
-      return std::tie(sky.name, sky.exposure, sky.degrees, sky.filter, sky.chosen);
+      return std::tie(sky.name, sky.exposure, sky.degrees, sky.mirrored, sky.filter, sky.chosen);
     };
     if (loaded(lesson) != loaded(before)) return false;
     std::swap(lesson.stage.sky, before.stage.sky);

@@ -145,8 +145,9 @@ function worker() {
         Number(width), Number(height));
       postMessage({kind: "kept", name, bytes, shown, option});
     },
-    drop: ({name, isRaw}) => isRaw ? code.lend([name], (text) =>
-      code.answer(code.calls.keep_file(text, 0, 0))) : keepPixels(name, "", new Uint8Array(3), 1, 1),
+    drop: ({name, isRaw}) => isRaw
+      ? code.lend([name], (text) => code.answer(code.calls.keep_file(text, 0, 0)))
+      : keepPixels(name, "", new Uint8Array(3), 1, 1),
     begin({chapter}) {
       used = "";
       postMessage({kind: "options",
