@@ -13,7 +13,6 @@
 #include "engine/files/find_texture.hpp"
 #include "engine/files/load_image.hpp"
 #include "engine/files/save_png.hpp"
-#include "support/deep_png.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/running.hpp"
 #include "support/same_picture.hpp"
@@ -116,21 +115,16 @@ TEST_CASE("a flat normal map leans by sqrt(2) / 255: each byte is within 2 level
   CHECK(count_different(flat, plain, 2) == 0);
 }
 
-TEST_CASE("all 16 bits of a height and of a normal count") {
-  const TemporaryFolder folder;
-  const std::string file = folder / "deep.png";
-  std::vector<std::uint16_t> ramp;  // two levels of 8 bits
-  for (unsigned i = 0; i < 64; ++i) ramp.insert(ramp.end(), 3, static_cast<std::uint16_t>(8 * i));
-  put(file, deep_png(ramp));
+TEST_CASE("all 16 bits of a height and of a normal count, and alpha is no part of them") {
   BumpOptions options;
-  options.image = file;
+  options.image = TEXMAP_TESTS_DIR "/corpus/png_grey16_ramp.png";
   const LightImage heights = options.load();
   for (int i = 0; i < 64; ++i) CHECK(heights.at(i, 0).r == static_cast<float>(8 * i) / 65535);
 
-  put(file, deep_png({32800, 56000, 56100, 32800, 56000, 56100}));
   const Hit<double> hit{.normal = {0, 0, 1}, .point = {0, 0, 1}, .outside = {}, .inside = {}};
   const Vec3d stored{2 * 32800.0 - 65535, 2 * 56000.0 - 65535, 2 * 56100.0 - 65535};
-  CHECK(largest(globe({"--normals", file}).bumps(hit, 1.0) - normalize(stored)) < 1e-6);
+  const Lesson lesson = globe({"--normals", TEXMAP_TESTS_DIR "/corpus/png_rgba16_normal.png"});
+  CHECK(largest(lesson.bumps(hit, 1.0) - normalize(stored)) < 1e-6);
 }
 
 TEST_CASE("green down draws what the map with its green turned over draws, byte for byte") {

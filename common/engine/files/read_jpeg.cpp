@@ -258,24 +258,14 @@ PixelOrder order_of_exif(Bytes data) {
   for (std::size_t at = directory + 2; entries > 0 && at + 12 <= tiff.size(); at += 12, --entries) {
     const bool is_one_short = number(at + 2, 2) == 3 && number(at + 4, 4) == 1;
     if (number(at, 2) != 0x0112 || !is_one_short) continue;
-    switch (number(at + 8, 2)) {
-      case 2:
-        return {.from_right = true};
-      case 3:
-        return {.from_right = true, .from_below = true};
-      case 4:
-        return {.from_below = true};
-      case 5:
-        return {.columns_first = true};
-      case 6:
-        return {.from_below = true, .columns_first = true};
-      case 7:
-        return {.from_right = true, .from_below = true, .columns_first = true};
-      case 8:
-        return {.from_right = true, .columns_first = true};
-      default:
-        return {};
-    }
+    const std::size_t orientation = number(at + 8, 2);
+    if (orientation > 8) return {};
+    const auto is_one_of = [orientation](std::string_view digits) {
+      return digits.find(static_cast<char>('0' + orientation)) != std::string_view::npos;
+    };
+    return {.from_right = is_one_of("2378"),
+            .from_below = is_one_of("3467"),
+            .columns_first = is_one_of("5678")};
   }
   return {};
 }
