@@ -10,6 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
 tried=0
+cd "$root" # some commands name files
 # shellcheck source=/dev/null
 . "$root/tests/support/drawn.sh"
 
