@@ -28,7 +28,6 @@ struct Kind {
 constexpr Kind kinds[] = {
     {4, "ftypavi", "an AVIF picture", "avifdec FILE out.png"},
     {4, "ftyphei", "a HEIC picture", heif},
-    {4, "ftyphev", "a HEIC picture", heif},
     {4, "ftypmif1", "a HEIF picture", heif},
     {8, "WEBP", "a WebP picture", "dwebp FILE -o out.png"},
     {0, "v/1\1", "an OpenEXR picture", usual, "pfsin FILE | pfsout out.hdr"},
@@ -46,7 +45,6 @@ constexpr Kind kinds[] = {
     {0, "%PDF", "a PDF page", "pdftoppm -png -singlefile FILE out"},
     {0, "<svg", "an SVG drawing", "rsvg-convert FILE -o out.png"},
     {0, "<?xml", "an SVG drawing (XML)", "rsvg-convert FILE -o out.png"},
-    {0, "<!DOCTYPE svg", "an SVG drawing", "rsvg-convert FILE -o out.png"},
     {0, "<!DOCTYPE html", "a web page", "save the picture that the page shows, not the page"},
     {0, "<html", "a web page", "save the picture that the page shows, not the page"},
     {0, "version https://git-lfs", "a Git LFS pointer to the picture", "git lfs pull"},

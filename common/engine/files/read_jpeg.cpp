@@ -645,13 +645,14 @@ Image read_jpeg(Bytes file, std::string* note) {
   if (size != ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)})
     throw FileError("the file is damaged: it states two different sizes");
 
-  Image image = reader.order.picture<Rgb8>(width, height);
+  const PixelOrder order = reader.order;
+  Image image = order.picture<Rgb8>(width, height);
   const stbi_uc* from = pixels.get();
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column, from += bytes)
-      reader.order.at(image, column, row) = {from[0], from[1], from[2]};
+      order.at(image, column, row) = {from[0], from[1], from[2]};
   }
-  if (note != nullptr && reader.order != PixelOrder{}) *note = "is turned as its EXIF says";
+  if (note != nullptr && order != PixelOrder{}) *note = "is turned as its EXIF says";
   return image;
 }
 
