@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/files/cut_polygon.hpp"
 #include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
 
@@ -74,9 +75,19 @@ int index_of(std::string_view word, std::size_t entries, const char* what) {
 
 class ObjReader {
  public:
-  TexturedMesh take() { return std::move(result_); }
+  ObjFile take() {
+    if (!skipped_.empty()) note("skipped the lines that are no textured triangles: " + skipped_);
+    if (crossing_ > 0) {
+      note(
+          text("polygons that cross themselves%s: %d, the first in line %d; their triangles cover "
+               "more than they do",
+               looks_ > 0 ? "" : " or have too many corners", crossing_, first_crossing_));
+    }
+    return std::move(result_);
+  }
 
-  void read_line(std::string_view line) {
+  void read_line(std::string_view line, int number) {
+    number_ = number;
     split_words(line, words_);
     if (!line.empty() && line.back() == '\\') {
       throw FileError(
@@ -91,9 +102,9 @@ class ObjReader {
     if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored)) skip(kind);
   }
 
-  std::string skipped;  // what other lines began with, each word once
-
  private:
+  void note(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
+
   // Lines, points, curved surfaces, and how they are to be shown: all of the format but its calls
   // of other files and programs.
   void skip(std::string_view kind) {
@@ -104,9 +115,9 @@ class ObjReader {
         "lod",  "c_interp", "d_interp",   "usemap",    "maplib"};
     if (std::find(std::begin(skippable), std::end(skippable), kind) == std::end(skippable))
       throw FileError("it begins with " + quoted(kind) + ", which this program does not know");
-    const std::string word = (skipped.empty() ? "" : ", ") + std::string(kind);
-    if ((", " + skipped + ",").find(", " + std::string(kind) + ",") == std::string::npos)
-      skipped += word;
+    const std::string word = (skipped_.empty() ? "" : ", ") + std::string(kind);
+    if ((", " + skipped_ + ",").find(", " + std::string(kind) + ",") == std::string::npos)
+      skipped_ += word;
   }
 
   void add_point() {
@@ -154,24 +165,37 @@ class ObjReader {
       throw FileError("a face has at least 3 corners, not " + std::to_string(corners));
     if (result_.mesh.triangles.size() + corners - 2 > max_mesh_triangles)
       throw FileError("more than " + std::to_string(max_mesh_triangles) + " triangles");
-    const Corner first = corner(words_[1]);
-    Corner before = corner(words_[2]);
-    for (std::size_t i = 3; i < words_.size(); ++i) {
-      const Corner next = corner(words_[i]);
-      result_.mesh.triangles.push_back({first.point, before.point, next.point});
-      result_.mapping.corners.push_back({first.uv, before.uv, next.uv});
-      before = next;
-    }
+    corners_.clear();
+    for (std::size_t i = 1; i < words_.size(); ++i) corners_.push_back(corner(words_[i]));
+    if (corners == 3) return add_triangle({0, 1, 2});
+    places_.clear();
+    for (const Corner& at : corners_)
+      places_.push_back(result_.mesh.points[static_cast<std::size_t>(at.point)]);
+    if (!cut_polygon(places_, cuts_, looks_) && crossing_++ == 0) first_crossing_ = number_;
+    for (const auto& cut : cuts_) add_triangle(cut);
   }
 
-  TexturedMesh result_;
+  void add_triangle(const std::array<std::size_t, 3>& cut) {
+    const Corner &a = corners_[cut[0]], &b = corners_[cut[1]], &c = corners_[cut[2]];
+    result_.mesh.triangles.push_back({a.point, b.point, c.point});
+    result_.mapping.corners.push_back({a.uv, b.uv, c.uv});
+  }
+
+  ObjFile result_;
   std::vector<Uv<double>> uvs_;
-  Words words_;
+  int number_ = 0;       // of the line
+  std::string skipped_;  // what other lines began with, each word once
+  int crossing_ = 0, first_crossing_ = 0;
+  std::size_t looks_ = most_polygon_looks;
+  Words words_;  // of the line, and what a face has
+  std::vector<Corner> corners_;
+  std::vector<Point> places_;
+  Cuts cuts_;
 };
 
 }  // namespace
 
-TexturedMesh read_obj(std::string_view text, std::string* skipped) {
+ObjFile read_obj(std::string_view text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
   ObjReader reader;
@@ -183,21 +207,20 @@ TexturedMesh read_obj(std::string_view text, std::string* skipped) {
       std::string_view line = text.substr(0, end);
       if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
       text.remove_prefix(std::min(end + 1, text.size()));  // many files end without a new line
-      reader.read_line(line);
+      reader.read_line(line, number);
     } catch (const FileError& error) {
       throw FileError("line " + std::to_string(number) + ": " + error.what());
     }
   }
-  if (skipped != nullptr) *skipped = reader.skipped;
-  TexturedMesh result = reader.take();
+  ObjFile result = reader.take();
   if (result.mesh.triangles.empty()) throw FileError("it has no faces (f)");
   return result;
 }
 
-TexturedMesh load_obj(const std::filesystem::path& path, std::string* skipped) {
+ObjFile load_obj(const std::filesystem::path& path) {
   return with_name("cannot load mesh", path, [&] {
     const std::vector<std::uint8_t> bytes = read_file(path, max_mesh_bytes);
-    return read_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, skipped);
+    return read_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   });
 }
 

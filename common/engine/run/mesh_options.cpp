@@ -47,10 +47,8 @@ void MeshOptions::declare(Offer& offer) {
 
 MeshScene MeshOptions::load(const Chosen& chosen) const {
   const RotationY rotation = rotation_y(degrees);
-  std::string skipped;
-  TexturedMesh scene = file.empty() ? crate() : load_obj(path_of(file), &skipped);
-  if (!skipped.empty())
-    chosen.say(file + ": skipped the lines that are no textured triangles: " + skipped + "\n");
+  ObjFile scene = file.empty() ? ObjFile{crate(), {}} : load_obj(path_of(file));
+  for (const std::string& note : scene.notes) chosen.say(file + ": " + note + "\n");
   if (!file.empty()) fit_to_crate(scene.mesh);
   for (Point& p : scene.mesh.points) p = rotation(p);
   constexpr double reach = 9;

@@ -1,6 +1,7 @@
 // Tests of engine/files/read_obj.hpp: a file loads whole, or an error names the line.
 #include <doctest.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "engine/files/read_obj.hpp"
@@ -47,7 +48,7 @@ TEST_CASE(
     if (tab == std::string::npos) continue;
     CAPTURE(line);
     const std::string should = line.substr(0, tab);
-    TexturedMesh read;
+    ObjFile read;
     const std::string error =
         image_error_of([&] { read = read_obj(file_of(line.substr(tab + 1))); });
     if (should.ends_with("triangles")) {
@@ -65,19 +66,42 @@ TEST_CASE(
   CHECK(refused >= 40);
 }
 
+using Notes = std::vector<std::string>;
+
 TEST_CASE("what is no textured triangle is skipped and named once, but no call of another file") {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
-  std::string skipped = "old";
-  CHECK_NOTHROW(static_cast<void>(read_obj("g a\nvn 0 0 1\n" + triangle, &skipped)));
-  CHECK(skipped.empty());
+  CHECK(read_obj("g a\nvn 0 0 1\n" + triangle).notes.empty());
   const std::string curved = "p 1\nl 1 2\ncurv2 1 2\ncurv 0 1 1 2\nl 2 3\nend\n";
-  CHECK(read_obj(triangle + curved, &skipped).mesh.triangles.size() == 1);
-  CHECK(skipped == "p, l, curv2, curv, end");
+  const ObjFile read = read_obj(triangle + curved);
+  CHECK(read.mesh.triangles.size() == 1);
+  CHECK(read.notes ==
+        Notes{"skipped the lines that are no textured triangles: p, l, curv2, curv, end"});
   CHECK_THROWS_AS(static_cast<void>(read_obj(triangle + "call a.obj\n")), FileError);
 }
 
+TEST_CASE("a polygon that is not convex keeps its shape and its (u, v); one that crosses is told") {
+  const std::string corners =
+      "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n"
+      "vt 1 0\nvt 1 .5\nvt .5 .5\nvt .5 1\nvt 0 1\nvt 0 0\n";
+  const ObjFile read = read_obj(corners + "f 1/1 2/2 3/3 4/4 5/5 6/6\n");
+  CHECK(read.notes.empty());
+  double area = 0;
+  for (std::size_t i = 0; i < read.mesh.triangles.size(); ++i) {
+    const int t = static_cast<int>(i);
+    const Point &a = read.mesh.corner(t, 0), &b = read.mesh.corner(t, 1);
+    area += std::abs(cross(b - a, read.mesh.corner(t, 2) - a).z) / 2;
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(read.mapping.corners[i][k].u * 2 == read.mesh.corner(t, static_cast<int>(k)).x);
+  }
+  CHECK(area == 3);
+  const std::string crossed = "f 1/1 3/3 2/2 6/6\n";
+  CHECK(read_obj(corners + crossed + crossed).notes ==
+        Notes{"polygons that cross themselves: 2, the first in line 13; their triangles cover "
+              "more than they do"});
+}
+
 TEST_CASE("numbers, indices and fans arrive as they are in the file") {
-  const TexturedMesh read = read_obj(
+  const ObjFile read = read_obj(
       "v 0 0 0\nv 1.5 -2e-3 3\nv 4 5 6\nv 7 8 9\nvt 0.25 0.5\nvt -1 2\n"
       "f 1/1 2/2 3/1 4/2\nf -1/-1/7 -2/-2/7 -3/-1/7\n");
   CHECK(read.mesh.points[1].x == 1.5);

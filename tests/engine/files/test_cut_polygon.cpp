@@ -1,0 +1,109 @@
+// Tests of engine/files/cut_polygon.hpp: triangles cover a polygon and nothing else.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/files/cut_polygon.hpp"
+#include "support/mesh_rays.hpp"
+
+namespace texmap::test {
+namespace {
+
+using Polygon = std::vector<Point>;
+
+/// How often the edges of a polygon in x and y go around a point, counterclockwise.
+int turns_around(const Polygon& polygon, double x, double y) {
+  int turns = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double side = (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+    if (a.y <= y && b.y > y && side > 0) ++turns;
+    if (b.y <= y && a.y > y && side < 0) --turns;
+  }
+  return turns;
+}
+
+/// Points where the triangles and the polygon differ, of 2000 for each of six planes; -1 if it
+/// crosses itself.
+int points_wrong(const Polygon& polygon, Dice& dice, std::size_t looks = most_polygon_looks) {
+  int wrong = 0;
+  for (const int plane : {0, 1, 2, 3, 4, 5}) {
+    Polygon given = polygon;  // not quite flat, along each axis, from both sides
+    if (plane > 2) std::reverse(given.begin(), given.end());
+    for (Point& p : given) {
+      const double z = 0.3 * p.x - 0.2 * p.y + 1e-3 * std::sin(9 * p.x);
+      p = plane % 3 == 0   ? Point{p.x, p.y, z}
+          : plane % 3 == 1 ? Point{z, p.x, p.y}
+                           : Point{p.y, z, p.x};
+    }
+    Cuts cuts;
+    if (!cut_polygon(given, cuts, looks)) return -1;
+    for (int i = 0; i < 2000; ++i) {
+      const Point at = point_within(dice, 2);
+      int inside = 0;
+      for (const auto& cut : cuts) {
+        Polygon triangle;
+        for (const std::size_t corner : cut)
+          triangle.push_back(polygon[plane > 2 ? polygon.size() - 1 - corner : corner]);
+        inside += turns_around(triangle, at.x, at.y);
+      }
+      wrong += inside != (plane > 2 ? -1 : 1) * turns_around(polygon, at.x, at.y) ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+/// A polygon from pairs of x and y.
+Polygon polygon_of(const std::vector<double>& xy) {
+  Polygon polygon;
+  for (std::size_t i = 0; i < xy.size(); i += 2) polygon.push_back({xy[i], xy[i + 1], 0});
+  return polygon;
+}
+
+/// A polygon whose corners are at random distances around (0, 0).
+Polygon star(Dice& dice, int corners) {
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i) {
+    const OnCircle<double> at = on_circle_of_degrees(360.0 * i / corners);
+    const double r = dice.between(0.2, 1.9);
+    polygon.push_back({r * at.cosine, r * at.sine, 0});
+  }
+  return polygon;
+}
+
+TEST_CASE("triangles cover a polygon of any shape and nothing else") {
+  Dice dice;
+  for (const std::vector<double>& xy : std::vector<std::vector<double>>{
+           {1, 0, 1, 0.5, 0.5, 0.5, 0.5, 1, 0, 1, 0, 0},                              // L
+           {0, 0, 2, 0, 2, 2, 1.5, 2, 1.5, 0.5, 0.5, 0.5, 0.5, 2, 0, 2},              // U
+           {0, 0, 1, 1, 2, 0, 1, 2},                                                  // an arrow
+           {0, 0, 0.1, 0.1, 0.3, 0.3, 0.3, 0.3, 0, 1},                                // twice there
+           {-2, -2, 2, -2, 2, 2, -2, 2, -2, -2, -1, -1, -1, 1, 1, 1, 1, -1, -1, -1},  // a hole
+           {0, 0, 2, 0, 1, 0, 1, 1, 0, 1}})                                           // a spike
+    CHECK(points_wrong(polygon_of(xy), dice) == 0);
+  for (const int corners : {4, 5, 7, 12, 30, 200}) {
+    for (int i = 0; i < 10; ++i) CHECK(points_wrong(star(dice, corners), dice) == 0);
+  }
+}
+
+TEST_CASE("a convex polygon is a fan; so is one that crosses itself or is too large, but told") {
+  Cuts cuts;
+  std::size_t looks = 0;
+  Polygon convex = polygon_of({0, 0, 2, 0, 3, 1, 2, 2, 0, 2});
+  CHECK(cut_polygon(convex, cuts, looks));
+  CHECK(cuts == Cuts{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
+  Dice dice;
+  CHECK(points_wrong(star(dice, 100), dice, 1000) == -1);
+  for (const std::vector<double>& xy : std::vector<std::vector<double>>{
+           {0, 0, 1, 1, 1, 0, 0, 1}, {0, 0, 6, 0, 1, 4, 3, -3, 5, 4}}) {  // an 8, a pentagram
+    Polygon crossed = polygon_of(xy);
+    CHECK(points_wrong(crossed, dice) == -1);
+    looks = most_polygon_looks;
+    CHECK_FALSE(cut_polygon(crossed, cuts, looks));
+    CHECK(cuts.front() == std::array<std::size_t, 3>{0, 1, 2});
+  }
+}
+
+}  // namespace
+}  // namespace texmap::test
