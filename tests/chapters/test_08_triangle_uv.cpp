@@ -124,6 +124,7 @@ TEST_CASE("a mesh from a file is drawn in place of the crate, as large and on th
   const TemporaryFolder folder;
   const std::string file = folder / "pyramid.obj";
   std::ofstream(file) << "v 100 5 100\nv 140 5 100\nv 140 5 140\nv 100 5 140\nv 120 35 120\n"
+                         "v 1e4 -1e4 1e4\n"  // of no face
                          "vt 0 0\nvt 1 0\nvt 0.5 1\n"
                          "f 4/1 3/2 5/3\nf 3/1 2/2 5/3\nf 2/1 1/2 5/3\nf 1/1 4/2 5/3\n";
   const Lesson lesson = prepared<Lesson>({"--mesh", file, "--degrees", "0"});

@@ -16,13 +16,17 @@ namespace {
 
 constexpr std::size_t most_in_a_list = 16;  // triangles; a tree is slower for so few
 
-// Moves a mesh to where the crate is: as large as it, in the middle, on the floor.
+// Moves a mesh to where the crate is: as large as it, in the middle, on the floor. Points that no
+// triangle has do not count.
 void fit_to_crate(Mesh& mesh) {
-  Point low = mesh.points.front();
+  Point low = mesh.corner(0, 0);
   Point high = low;
-  for (const Point& p : mesh.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  for (const auto& triangle : mesh.triangles) {
+    for (const int corner : triangle) {
+      const Point& p = mesh.points[static_cast<std::size_t>(corner)];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
   }
   const double size = largest(high - low);
   const double scale = size > 1e-300 ? 2 / size : 1;  // 2 / size must be finite
