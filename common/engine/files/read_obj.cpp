@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,19 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
+constexpr std::size_t most_skipped = 16;  // words that are listed
+constexpr Uv<double> no_uv{std::numeric_limits<double>::quiet_NaN(), 0};
+
+bool has_uv(const Uv<double>& uv) { return !std::isnan(uv.u); }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// True if a line goes on in the next. A comment ends with its line; a name may end with the sign.
+bool goes_on(std::string_view line) {
+  if (line.empty() || line.back() != '\\' || line.find('#') != line.npos) return false;
+  const char before = line.size() > 1 ? line[line.size() - 2] : ' ';
+  return line.front() == 'v' || line.front() == 'f' || is_blank(before);
+}
+
 // A piece of the file as a message shows it: at most 24 bytes, of which a terminal can show all.
 std::string quoted(std::string_view word) {
   std::string shown = "'";
@@ -26,7 +40,7 @@ std::string quoted(std::string_view word) {
   return shown + (word.size() > 24 ? "...'" : "'");
 }
 
-// The words of a line up to a comment.
+// The words of a line up to a comment; 1.#QNAN has none.
 void split_words(std::string_view line, Words& words) {
   words.clear();
   bool in_comment = false;
@@ -38,6 +52,7 @@ void split_words(std::string_view line, Words& words) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (c > '#') continue;
+    if (c == '#' && i > 0 && line[i - 1] == '.') continue;
     if (c == ' ' || c == '\t' || c == '#') end_word(i);
     if (c == '#') in_comment = true;
     if (c == '\0' || c == '\r' || c == '\f' || c == '\v')
@@ -46,8 +61,16 @@ void split_words(std::string_view line, Words& words) {
   end_word(line.size());
 }
 
+// As programs write the result of 0 / 0: nan, -nan(ind), 1.#QNAN, -1.#IND00.
+bool is_nan(std::string_view word) {
+  std::string lower;
+  for (const char c : word.substr(0, 24)) lower += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return lower.find("nan") != lower.npos || lower.find("#ind") != lower.npos;
+}
+
 double coordinate(std::string_view word) {
   const std::optional<double> number = read_decimal(word);
+  if (!number && is_nan(word)) throw FileError(quoted(word) + " is not a number (NaN)");
   if (!number) throw FileError(quoted(word) + " is not a finite decimal number");
   if (!(std::abs(*number) <= max_mesh_number))
     throw FileError(quoted(word) + " is too large: numbers may reach 1e30");
@@ -76,7 +99,19 @@ int index_of(std::string_view word, std::size_t entries, const char* what) {
 class ObjReader {
  public:
   ObjFile take() {
-    if (!skipped_.empty()) note("skipped the lines that are no textured triangles: " + skipped_);
+    std::string list;
+    for (const auto& [kind, number] : skipped_)
+      list += (list.empty() ? "" : ", ") + kind + " (line " + std::to_string(number) + ")";
+    if (!list.empty()) {
+      note("skipped the lines that are no textured triangles: " + list +
+           (skipped_.size() < most_skipped ? "" : ", and perhaps others"));
+    }
+    if (without_uv_ > 0) {
+      note(
+          text("faces without texture coordinates: %d of %d, the first in line %d; they have a "
+               "plain color",
+               without_uv_, faces_, first_without_uv_));
+    }
     if (crossing_ > 0) {
       note(
           text("polygons that cross themselves%s: %d, the first in line %d; their triangles cover "
@@ -89,35 +124,24 @@ class ObjReader {
   void read_line(std::string_view line, int number) {
     number_ = number;
     split_words(line, words_);
-    if (!line.empty() && line.back() == '\\') {
-      throw FileError(
-          "it continues in the next line (\\), which is not supported: join the two lines");
-    }
     if (words_.empty()) return;
     const std::string_view kind = words_.front();
     if (kind == "v") return add_point();
     if (kind == "vt") return add_uv();
     if (kind == "f") return add_face();
-    constexpr std::string_view ignored[] = {"vn", "vp", "o", "g", "s", "mg", "usemtl", "mtllib"};
+    constexpr std::string_view ignored[] = {"vn", "o", "g", "s", "mg", "usemtl", "mtllib"};
     if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored)) skip(kind);
   }
 
  private:
   void note(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
 
-  // Lines, points, curved surfaces, and how they are to be shown: all of the format but its calls
-  // of other files and programs.
+  // Another statement of the format, or a program's own.
   void skip(std::string_view kind) {
-    constexpr std::string_view skippable[] = {
-        "l",    "p",        "curv",       "curv2",     "surf",  "cstype", "deg",
-        "bmat", "step",     "parm",       "trim",      "hole",  "scrv",   "sp",
-        "con",  "end",      "shadow_obj", "trace_obj", "ctech", "stech",  "bevel",
-        "lod",  "c_interp", "d_interp",   "usemap",    "maplib"};
-    if (std::find(std::begin(skippable), std::end(skippable), kind) == std::end(skippable))
-      throw FileError("it begins with " + quoted(kind) + ", which this program does not know");
-    const std::string word = (skipped_.empty() ? "" : ", ") + std::string(kind);
-    if ((", " + skipped_ + ",").find(", " + std::string(kind) + ",") == std::string::npos)
-      skipped_ += word;
+    const std::string shown = quoted(kind);
+    const auto is_shown = [&](const auto& known) { return known.first == shown; };
+    if (skipped_.size() < most_skipped && std::none_of(skipped_.begin(), skipped_.end(), is_shown))
+      skipped_.emplace_back(shown, number_);
   }
 
   void add_point() {
@@ -132,9 +156,9 @@ class ObjReader {
 
   void add_uv() {
     const std::size_t numbers = words_.size() - 1;
-    if (numbers != 2 && numbers != 3)
-      throw FileError("texture coordinates are 2 numbers, not " + std::to_string(numbers));
-    uvs_.push_back({coordinate(words_[1]), coordinate(words_[2])});
+    if (numbers < 1 || numbers > 3)  // v is 0 where it is not given
+      throw FileError("texture coordinates are 1 to 3 numbers, not " + std::to_string(numbers));
+    uvs_.push_back({coordinate(words_[1]), numbers > 1 ? coordinate(words_[2]) : 0});
   }
 
   struct Corner {
@@ -146,17 +170,13 @@ class ObjReader {
     const std::string_view rest = word.substr(std::min(slash + 1, word.size()));
     const std::string_view uv = rest.substr(0, rest.find('/'));
     const int point = index_of(word.substr(0, slash), result_.mesh.points.size(), "points (v)");
-    if (uv.empty()) {
-      throw FileError("the corner " + quoted(word) +
-                      " has no texture coordinates: export the mesh with them");
-    }
-    const int at = index_of(uv, uvs_.size(), "texture coordinates (vt)");
+    const int at = uv.empty() ? -1 : index_of(uv, uvs_.size(), "texture coordinates (vt)");
     if (const std::size_t second = rest.find('/'); second != std::string_view::npos) {
       const std::string_view normal = rest.substr(second + 1);
       if (normal.empty() || normal.find_first_not_of("-0123456789") != std::string_view::npos)
         throw FileError("the corner " + quoted(word) + " is not point/texture/normal");
     }
-    return {point, uvs_[static_cast<std::size_t>(at)]};
+    return {point, at < 0 ? no_uv : uvs_[static_cast<std::size_t>(at)]};
   }
 
   void add_face() {
@@ -166,7 +186,14 @@ class ObjReader {
     if (result_.mesh.triangles.size() + corners - 2 > max_mesh_triangles)
       throw FileError("more than " + std::to_string(max_mesh_triangles) + " triangles");
     corners_.clear();
-    for (std::size_t i = 1; i < words_.size(); ++i) corners_.push_back(corner(words_[i]));
+    for (std::size_t i = 1; i < words_.size(); ++i) {
+      corners_.push_back(corner(words_[i]));
+      if (has_uv(corners_.back().uv) != has_uv(corners_.front().uv))
+        throw FileError("the corner " + quoted(words_[has_uv(corners_[0].uv) ? i : 1]) +
+                        " has no texture coordinates, but others of its face have");
+    }
+    ++faces_;
+    if (!has_uv(corners_[0].uv) && without_uv_++ == 0) first_without_uv_ = number_;
     if (corners == 3) return add_triangle({0, 1, 2});
     places_.clear();
     for (const Corner& at : corners_)
@@ -183,8 +210,9 @@ class ObjReader {
 
   ObjFile result_;
   std::vector<Uv<double>> uvs_;
-  int number_ = 0;       // of the line
-  std::string skipped_;  // what other lines began with, each word once
+  int number_ = 0;                                    // of the line
+  std::vector<std::pair<std::string, int>> skipped_;  // what else lines begin with; the first one
+  int faces_ = 0, without_uv_ = 0, first_without_uv_ = 0;
   int crossing_ = 0, first_crossing_ = 0;
   std::size_t looks_ = most_polygon_looks;
   Words words_;  // of the line, and what a face has
@@ -199,21 +227,38 @@ ObjFile read_obj(std::string_view text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
   ObjReader reader;
-  for (int number = 1; !text.empty(); ++number) {
+  std::string joined;
+  int number = 0;
+  const auto next_line = [&] {
+    ++number;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));  // many files end without a new line
+    if (end + joined.size() > max_mesh_line)
+      throw FileError("it is longer than " + std::to_string(max_mesh_line) + " bytes");
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+    return line;
+  };
+  while (!text.empty()) {
+    const int first = number + 1;
     try {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      if (end > max_mesh_line)
-        throw FileError("it is longer than " + std::to_string(max_mesh_line) + " bytes");
-      std::string_view line = text.substr(0, end);
-      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-      text.remove_prefix(std::min(end + 1, text.size()));  // many files end without a new line
-      reader.read_line(line, number);
+      std::string_view line = next_line();
+      if (goes_on(line)) {
+        joined = line;
+        do {
+          joined.back() = ' ';
+          joined += next_line();
+        } while (goes_on(joined));
+        line = joined;
+      }
+      reader.read_line(line, first);
+      joined.clear();
     } catch (const FileError& error) {
-      throw FileError("line " + std::to_string(number) + ": " + error.what());
+      throw FileError("line " + std::to_string(first) + ": " + error.what());
     }
   }
   ObjFile result = reader.take();
-  if (result.mesh.triangles.empty()) throw FileError("it has no faces (f)");
+  if (result.mesh.triangles.empty()) throw FileError("it has no faces (f); is this an OBJ file?");
   return result;
 }
 

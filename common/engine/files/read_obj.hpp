@@ -22,7 +22,7 @@ struct ObjFile : TexturedMesh {
 };
 
 /// The mesh that the text of an OBJ file describes. Reads v, vt and f, with polygons cut into
-/// triangles and negative indices; ignores normals, groups and materials.
+/// triangles and negative indices; without vt u is NaN. Ignores normals, groups and materials.
 ///
 /// Errors: FileError `line N: why`, for what is no such line: never a part of a mesh.
 /// Source: Wavefront, Advanced Visualizer manual, appendix B1 (1993).
