@@ -5,13 +5,13 @@
 #include "engine/run/texture_file.hpp"
 #include "scene/stage.hpp"
 #include "texture/image_texture.hpp"
-#include "texture/mapped.hpp"
+#include "texture/material_paint.hpp"
 #include "texture/mesh_mapping.hpp"
 #include "texture/surface.hpp"
 
 namespace texmap::chapter_08 {
 
-using Textured = Mapped<Transformed<MeshMapping>, published::LookUpTexture>;
+using Textured = MaterialPaint<Transformed<MeshMapping>, published::LookUpTexture>;
 
 struct Lesson : MeshLesson {
   static constexpr About about{
@@ -29,17 +29,20 @@ struct Lesson : MeshLesson {
   Groups options() override { return {texture, choice}; }
   void build(Chosen& chosen) override {
     scene = choice.load(chosen);
-    paint = {choice.uv.moved(MeshMapping{scene.mapping}), choice.uv.read({texture.load()})};
+    paint = {{choice.uv.moved(MeshMapping{scene.mapping}), choice.uv.read({texture.load()})},
+             scene.materials};
   }
   Surface<double> first_surface(const Ray<double>& ray) const override {
-    return surface_at(choice.weighted(scene.mesh, first_hit(scene.mesh, ray)), paint);
+    const MeshHit<double> hit = choice.weighted(scene.mesh, first_hit(scene.mesh, ray));
+    return surface_at(hit, scene.normals(hit), paint);
   }
 
   /// The color that one ray sees.
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
     const MeshHit<Real> hit = choice.weighted(scene.mesh, first_hit(scene.mesh, ray));
-    const LightSample<Real> light = sample_light(stage.light, others(scene.mesh, hit), hit);
+    const LightSample<Real> light =
+        sample_light(stage.light, others(scene.mesh, hit), hit, scene.normals);
     return select(hit.met, paint(hit) * lambert(surface, light), stage.sky(ray));
   }
 };

@@ -21,14 +21,22 @@ template <class Real>
   return select(usual, fade, Real(0));
 }
 
-/// sample_light for a surface shaded with the unit normal `shading`. Whether light arrives is
+/// The light of a surface that is shaded with the unit normal `shading`. Whether light arrives is
 /// decided by the surface itself: a bump cannot catch light that its globe hides.
+///
+/// @param plain  the light of the surface itself
+template <class Real>
+[[nodiscard]] LightSample<Real> shaded(const LightSample<Real>& plain, const Hit<Real>& hit,
+                                       const Vec3<Real>& shading) {
+  const Real cosine = max(dot(shading, plain.to_light), Real(0));
+  return {plain.to_light, cosine * terminator(plain.cosine, cosine, dot(shading, hit.normal))};
+}
+
+/// sample_light for such a surface.
 template <class Real, class Objects>
 [[nodiscard]] LightSample<Real> sample_light(const PointLight& light, const Objects& objects,
                                              const Hit<Real>& hit, const Vec3<Real>& shading) {
-  const LightSample<Real> plain = sample_light(light, objects, hit);
-  const Real cosine = max(dot(shading, plain.to_light), Real(0));
-  return {plain.to_light, cosine * terminator(plain.cosine, cosine, dot(shading, hit.normal))};
+  return shaded(sample_light(light, objects, hit), hit, shading);
 }
 
 }  // namespace texmap

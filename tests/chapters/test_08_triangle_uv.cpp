@@ -134,3 +134,67 @@ TEST_CASE("a mesh from a file is drawn in place of the crate, as large and on th
   CHECK(lesson.scene.mesh.points[4].y == 0.5);
   CHECK(count_different(picture(lesson, width, height), drawn({"--degrees", "0"})) > 5000);
 }
+
+TEST_CASE(
+    "a file's picture is repeated unless the user chooses, and normals in corners are mixed") {
+  const TemporaryFolder folder;
+  const auto file_of = [&](const char* name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  };
+  const std::string square =
+      "v -1 0 0\nv 1 0 0\nv 1 2 0\nv -1 2 0\nvt 0 0\nvt 3 0\nvt 3 3\nvt 0 3\n";
+  const auto square_of = [&](const char* name, const char* normals) {
+    return file_of(name, square + normals + "f 1/1/1 2/2/2 3/3/2 4/4/1\n");
+  };
+  const std::string own = square_of("own.obj", "vn 0 0 2\nvn 0 0 -1\n");
+  const std::string round = square_of("round.obj", "vn -1 0 1\nvn 1 0 1\n");
+  const auto of = [&](const std::string& file, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--mesh", file, "--degrees", "0"});
+    return prepared<Lesson>(more);
+  };
+  const auto drawn_of = [](const Lesson& lesson) { return picture(lesson, width, height); };
+  const Image plain = drawn_of(of(round, {"--normals", "flat"}));
+  expect_same_picture(drawn_of(of(own)), plain);
+  expect_same_picture(drawn_of(of(own, {"--wrap", "repeat"})), plain);
+  CHECK(count_different(drawn_of(of(own, {"--wrap", "mirror"})), plain) > 5000);
+  CHECK(count_different(drawn_of(of(round)), plain) > 5000);
+
+  const Lesson lesson = of(round);
+  for (const double side : {1.0, -1.0}) {  // a quarter from the left, seen from both sides
+    const Ray<double> ray{{-0.5, 0, 4 * side}, {0, 0, -side}};
+    const Vec3d normal = lesson.first_surface(ray).normal;
+    CHECK(normal.x == doctest::Approx(-0.5 / std::sqrt(1.25) * side));
+    CHECK(normal.z == doctest::Approx(1 / std::sqrt(1.25) * side));
+  }
+}
+
+TEST_CASE("a mesh has the pictures and colors of its materials; --texture replaces all") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "m.obj";
+  std::ofstream(file) << "mtllib of m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt .1 .2\nf 1/1 2/1 3/1\n"
+                         "usemtl lid\nf 1/1 2/1 3/1\nf 1 2 3\nusemtl red\nf 1/1 2/1 3/1\n"
+                         "usemtl lost\nf 1/1 2/1 3/1\nf 1 2 3\n";
+  std::ofstream(folder / "of m.mtl")
+      << "newmtl lid\nKd 0 1 0\nmap_Kd -s 2 1 -o 0 .5 " TEXMAP_ASSETS_DIR
+         "/crate.png\nnewmtl red\nKd 1 0 0\n";
+  const Lesson lesson = prepared<Lesson>({"--mesh", file});
+  const Lesson replaced = prepared<Lesson>({"--mesh", file, "--texture", "crate.png"});
+  const auto is = [](const Rgb& color, const Rgb& other) {
+    return largest(Vec3d{color.r - other.r, color.g - other.g, color.b - other.b}) == 0;
+  };
+  const Rgb plain{0.8, 0.8, 0.8}, lid = lesson.paint.texture(Uv<double>{0.1, 0.2});
+  const Rgb colors[] = {lid,  lesson.paint.texture(Uv<double>{0.2, 0.7}), {0, 1, 0}, {1, 0, 0}, lid,
+                        plain};
+  for (int i = 0; i < 6; ++i) {
+    CAPTURE(i);
+    MeshHit<double> hit;
+    hit.triangle = i;
+    CHECK(is(lesson.paint(hit), colors[i]));
+    CHECK(is(replaced.paint(hit), i == 2 || i == 5 ? plain : lid));
+  }
+  MeshHit<Pack<double>> hits;  // each lane has its own material
+  hits.triangle = from_lanes<Pack<double>>([](std::size_t i) { return double(i % 6); });
+  const auto red = all_lanes(lesson.paint(hits).r);
+  for (std::size_t i = 0; i < red.size(); ++i) CHECK(red[i] == colors[i % 6].r);
+}

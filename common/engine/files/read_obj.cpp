@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -96,6 +97,51 @@ int index_of(std::string_view word, std::size_t entries, const char* what) {
   return static_cast<int>(from_zero);
 }
 
+// A name with its blanks: from a word to the end of the line, or to a comment behind a blank.
+std::string_view name_from(std::string_view line, std::string_view word) {
+  std::string_view name = line.substr(static_cast<std::size_t>(word.data() - line.data()));
+  name = name.substr(0, name.find(" #"));
+  while (is_blank(name.back())) name.remove_suffix(1);
+  return name;
+}
+
+// Calls read(line, number) for each line; an error gets its number. A line that goes on is one.
+template <class Read>
+void for_each_line(std::string_view text, const Read& read) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
+  std::string joined;
+  int number = 0;
+  const auto next_line = [&] {
+    ++number;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));  // many files end without a new line
+    if (end + joined.size() > max_mesh_line)
+      throw FileError("it is longer than " + std::to_string(max_mesh_line) + " bytes");
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+    return line;
+  };
+  while (!text.empty()) {
+    const int first = number + 1;
+    try {
+      std::string_view line = next_line();
+      if (goes_on(line)) {
+        joined = line;
+        do {
+          joined.back() = ' ';
+          joined += next_line();
+        } while (goes_on(joined));
+        line = joined;
+      }
+      read(line, first);
+      joined.clear();
+    } catch (const FileError& error) {
+      throw FileError("line " + std::to_string(first) + ": " + error.what());
+    }
+  }
+}
+
 class ObjReader {
  public:
   ObjFile take() {
@@ -106,18 +152,15 @@ class ObjReader {
       note("skipped the lines that are no textured triangles: " + list +
            (skipped_.size() < most_skipped ? "" : ", and perhaps others"));
     }
-    if (without_uv_ > 0) {
-      note(
-          text("faces without texture coordinates: %d of %d, the first in line %d; they have a "
-               "plain color",
-               without_uv_, faces_, first_without_uv_));
-    }
-    if (crossing_ > 0) {
-      note(
-          text("polygons that cross themselves%s: %d, the first in line %d; their triangles cover "
-               "more than they do",
-               looks_ > 0 ? "" : " or have too many corners", crossing_, first_crossing_));
-    }
+    note(without_uv_, "faces without texture coordinates", "; they have a plain color");
+    note(without_normals_, "faces without their normals (vn)", "; they are flat");
+    note(crossing_,
+         looks_ > 0 ? "polygons that cross themselves"
+                    : "polygons that cross themselves or are too large",
+         "; their triangles cover more than they do");
+    if (!result_.material_names.empty()) end_material();
+    if (!result_.normals.triangles.empty())
+      result_.normals.triangles.resize(result_.mesh.triangles.size());
     return std::move(result_);
   }
 
@@ -129,12 +172,27 @@ class ObjReader {
     if (kind == "v") return add_point();
     if (kind == "vt") return add_uv();
     if (kind == "f") return add_face();
-    constexpr std::string_view ignored[] = {"vn", "o", "g", "s", "mg", "usemtl", "mtllib"};
+    if (kind == "vn") return add_normal();
+    const std::string name(words_.size() > 1 ? name_from(line, words_[1]) : "");
+    if (kind == "usemtl") return use_material(name);
+    if (kind == "mtllib") return result_.libraries.push_back(name);
+    constexpr std::string_view ignored[] = {"o", "g", "s", "mg"};
     if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored)) skip(kind);
   }
 
  private:
+  // How many faces, and the line of the first.
+  struct Faces {
+    int number = 0, first = 0;
+  };
+  void count(Faces& faces) const {
+    if (faces.number++ == 0) faces.first = number_;
+  }
   void note(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
+  void note(const Faces& faces, const char* what, const char* so) {
+    if (faces.number > 0)
+      note(text("%s: %d, the first in line %d%s", what, faces.number, faces.first, so));
+  }
 
   // Another statement of the format, or a program's own.
   void skip(std::string_view kind) {
@@ -161,8 +219,31 @@ class ObjReader {
     uvs_.push_back({coordinate(words_[1]), numbers > 1 ? coordinate(words_[2]) : 0});
   }
 
+  // One that is not finite or has no length is 0, as if it was not there.
+  void add_normal() {
+    double sides[3] = {};
+    for (std::size_t i = 0; i < 3 && i + 1 < words_.size(); ++i)
+      sides[i] = read_decimal(words_[i + 1]).value_or(0);
+    const Vec3d normal{sides[0], sides[1], sides[2]};
+    const double size = length(normal);
+    const bool usual = size > 1e-100 && size < 1e100;
+    result_.normals.points.push_back(usual ? normal * (1 / size) : Vec3d{});
+  }
+
+  void use_material(const std::string& name) {
+    end_material();
+    const int next = static_cast<int>(materials_.size());
+    const auto [known, is_new] = materials_.try_emplace(name, next);
+    if (is_new) result_.material_names.push_back(name);
+    if (materials_.size() > max_mesh_materials)
+      throw FileError("more than " + std::to_string(max_mesh_materials) + " materials");
+    material_ = known->second;
+  }
+  // Gives the material to the triangles since it was named.
+  void end_material() { result_.materials.resize(result_.mesh.triangles.size(), material_); }
+
   struct Corner {
-    int point;
+    int point, normal;  // normal: 0 if it has none, -1 if it is not there
     Uv<double> uv;
   };
   Corner corner(std::string_view word) const {
@@ -171,12 +252,19 @@ class ObjReader {
     const std::string_view uv = rest.substr(0, rest.find('/'));
     const int point = index_of(word.substr(0, slash), result_.mesh.points.size(), "points (v)");
     const int at = uv.empty() ? -1 : index_of(uv, uvs_.size(), "texture coordinates (vt)");
+    int normal = 0;
     if (const std::size_t second = rest.find('/'); second != std::string_view::npos) {
-      const std::string_view normal = rest.substr(second + 1);
-      if (normal.empty() || normal.find_first_not_of("-0123456789") != std::string_view::npos)
+      const char *const from = rest.data() + second + 1, *const end = rest.data() + rest.size();
+      if (from == end || std::from_chars(from, end, normal).ptr != end)
         throw FileError("the corner " + quoted(word) + " is not point/texture/normal");
+      const auto& normals = result_.normals.points;
+      const int entries = static_cast<int>(normals.size());
+      if (normal < 0) normal += entries;
+      if (normal <= 0 || normal >= entries ||
+          largest(normals[static_cast<std::size_t>(normal)]) == 0)
+        normal = -1;
     }
-    return {point, at < 0 ? no_uv : uvs_[static_cast<std::size_t>(at)]};
+    return {point, normal, at < 0 ? no_uv : uvs_[static_cast<std::size_t>(at)]};
   }
 
   void add_face() {
@@ -192,13 +280,18 @@ class ObjReader {
         throw FileError("the corner " + quoted(words_[has_uv(corners_[0].uv) ? i : 1]) +
                         " has no texture coordinates, but others of its face have");
     }
-    ++faces_;
-    if (!has_uv(corners_[0].uv) && without_uv_++ == 0) first_without_uv_ = number_;
+    if (!has_uv(corners_[0].uv)) count(without_uv_);
+    const auto has_normal = [](const Corner& at) { return at.normal > 0; };
+    if (!std::all_of(corners_.begin(), corners_.end(), has_normal)) {
+      const auto has_none = [](const Corner& at) { return at.normal == 0; };
+      if (!std::all_of(corners_.begin(), corners_.end(), has_none)) count(without_normals_);
+      for (Corner& at : corners_) at.normal = 0;
+    }
     if (corners == 3) return add_triangle({0, 1, 2});
     places_.clear();
     for (const Corner& at : corners_)
       places_.push_back(result_.mesh.points[static_cast<std::size_t>(at.point)]);
-    if (!cut_polygon(places_, cuts_, looks_) && crossing_++ == 0) first_crossing_ = number_;
+    if (!cut_polygon(places_, cuts_, looks_)) count(crossing_);
     for (const auto& cut : cuts_) add_triangle(cut);
   }
 
@@ -206,14 +299,19 @@ class ObjReader {
     const Corner &a = corners_[cut[0]], &b = corners_[cut[1]], &c = corners_[cut[2]];
     result_.mesh.triangles.push_back({a.point, b.point, c.point});
     result_.mapping.corners.push_back({a.uv, b.uv, c.uv});
+    if (auto& normals = result_.normals.triangles; a.normal > 0 || !normals.empty()) {
+      normals.resize(result_.mesh.triangles.size() - 1);
+      normals.push_back({a.normal, b.normal, c.normal});
+    }
   }
 
   ObjFile result_;
   std::vector<Uv<double>> uvs_;
   int number_ = 0;                                    // of the line
   std::vector<std::pair<std::string, int>> skipped_;  // what else lines begin with; the first one
-  int faces_ = 0, without_uv_ = 0, first_without_uv_ = 0;
-  int crossing_ = 0, first_crossing_ = 0;
+  Faces without_uv_, without_normals_, crossing_;
+  std::map<std::string, int> materials_;
+  int material_ = -1;
   std::size_t looks_ = most_polygon_looks;
   Words words_;  // of the line, and what a face has
   std::vector<Corner> corners_;
@@ -224,42 +322,73 @@ class ObjReader {
 }  // namespace
 
 ObjFile read_obj(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
   ObjReader reader;
-  std::string joined;
-  int number = 0;
-  const auto next_line = [&] {
-    ++number;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));  // many files end without a new line
-    if (end + joined.size() > max_mesh_line)
-      throw FileError("it is longer than " + std::to_string(max_mesh_line) + " bytes");
-    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
-    return line;
-  };
-  while (!text.empty()) {
-    const int first = number + 1;
-    try {
-      std::string_view line = next_line();
-      if (goes_on(line)) {
-        joined = line;
-        do {
-          joined.back() = ' ';
-          joined += next_line();
-        } while (goes_on(joined));
-        line = joined;
-      }
-      reader.read_line(line, first);
-      joined.clear();
-    } catch (const FileError& error) {
-      throw FileError("line " + std::to_string(first) + ": " + error.what());
-    }
-  }
+  for_each_line(text, [&](std::string_view line, int number) { reader.read_line(line, number); });
   ObjFile result = reader.take();
   if (result.mesh.triangles.empty()) throw FileError("it has no faces (f); is this an OBJ file?");
   return result;
+}
+
+std::map<std::string, Material> read_mtl(std::string_view text) {
+  std::map<std::string, Material> materials;
+  Material* material = nullptr;
+  Words words;
+  for_each_line(text, [&](std::string_view line, int) {
+    split_words(line, words);
+    if (words.size() < 2) return;
+    if (words[0] == "newmtl") material = &materials[std::string(name_from(line, words[1]))];
+    if (material == nullptr) return;
+    // The numbers from a word on, at most three.
+    const auto numbers_at = [&](std::size_t first) {
+      std::vector<double> numbers;
+      for (std::size_t i = first; i < words.size() && numbers.size() < 3; ++i) {
+        const std::optional<double> number = read_decimal(words[i]);
+        if (!number) break;
+        numbers.push_back(*number);
+      }
+      return numbers;
+    };
+    if (words[0] == "Kd") {
+      if (const auto rgb = numbers_at(1); rgb.size() == 3 || rgb.size() == 1)
+        material->color = {rgb.front(), rgb[rgb.size() / 2], rgb.back()};
+    } else if (words[0] == "map_Kd") {
+      std::size_t i = 1;
+      while (i < words.size() && words[i].front() == '-') {
+        const std::string_view option = words[i++];
+        const std::vector<double> numbers = numbers_at(i);
+        const bool places = option == "-s" || option == "-o";
+        if (places) {
+          Uv<double>& uv = option == "-s" ? material->scale : material->offset;
+          if (!numbers.empty()) uv.u = numbers[0];
+          if (numbers.size() > 1) uv.v = numbers[1];
+        } else {
+          material->left_out += (material->left_out.empty() ? "" : ", ") + std::string(option);
+        }
+        i += std::max(numbers.size(), std::size_t{places ? 0U : 1U});
+      }
+      if (i < words.size()) material->picture = name_from(line, words[i]);
+    }
+  });
+  return materials;
+}
+
+std::filesystem::path beside(const std::filesystem::path& file, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path there = file.parent_path() / path_of(name);
+  std::error_code error;
+  if (std::filesystem::exists(there, error)) return there;
+  return file.parent_path() / there.filename();
+}
+
+std::map<std::string, Material> load_mtl(const std::filesystem::path& path) {
+  auto materials = with_name("cannot load materials", path, [&] {
+    const std::vector<std::uint8_t> bytes = read_file(path, max_mesh_bytes);
+    return read_mtl({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  });
+  for (auto& [name, material] : materials) {
+    if (!material.picture.empty()) material.picture = name_of(beside(path, material.picture));
+  }
+  return materials;
 }
 
 ObjFile load_obj(const std::filesystem::path& path) {

@@ -2,11 +2,14 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/files/file_error.hpp"
+#include "math/color.hpp"
+#include "scene/mesh_normals.hpp"
 #include "texture/mesh_mapping.hpp"
 
 namespace texmap {
@@ -14,19 +17,44 @@ namespace texmap {
 inline constexpr std::size_t max_mesh_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t max_mesh_line = std::size_t{1} << 16;
 inline constexpr std::size_t max_mesh_triangles = std::size_t{1} << 21;
+inline constexpr std::size_t max_mesh_materials = 10000;
 inline constexpr double max_mesh_number = 1e30;
 
 /// What an OBJ file says.
 struct ObjFile : TexturedMesh {
-  std::vector<std::string> notes;  ///< what is not drawn as the file says, a sentence each
+  MeshNormals normals{{{{}}, {}}};          ///< no triangles where no face has normals
+  std::vector<std::string> notes;           ///< what is not drawn as it says, a sentence each
+  std::vector<std::string> material_names;  ///< of usemtl
+  std::vector<int> materials;               ///< of each triangle, -1: none; empty: no usemtl
+  std::vector<std::string> libraries;       ///< of mtllib, as written
 };
 
-/// The mesh that the text of an OBJ file describes. Reads v, vt and f, with polygons cut into
-/// triangles and negative indices; without vt u is NaN. Ignores normals, groups and materials.
+/// The mesh that the text of an OBJ file describes. Reads v, vt, vn and f, usemtl and mtllib, with
+/// polygons cut into triangles and negative indices; without vt u is NaN.
 ///
 /// Errors: FileError `line N: why`, for what is no such line: never a part of a mesh.
 /// Source: Wavefront, Advanced Visualizer manual, appendix B1 (1993).
 [[nodiscard]] ObjFile read_obj(std::string_view text);
+
+/// A material, as far as it is a color.
+struct Material {
+  Rgb color{0.8, 0.8, 0.8};              ///< Kd
+  std::string picture{};                 ///< map_Kd, as written; empty: none
+  Uv<double> scale{1, 1}, offset{0, 0};  ///< its options -s and -o
+  std::string left_out{};                ///< its other options
+};
+
+/// The materials in the text of an .mtl file, by name. What is not understood is left out.
+/// Errors: FileError `line N: why`, for lines that are too long or no text.
+[[nodiscard]] std::map<std::string, Material> read_mtl(std::string_view text);
+
+/// The same of a file, with the pictures beside it.
+/// Errors: FileError `cannot load materials 'F': why`; std::bad_alloc.
+[[nodiscard]] std::map<std::string, Material> load_mtl(const std::filesystem::path& path);
+
+/// A file that another one names: there or, as authors also write folders of their own machine, in
+/// the same folder as the other one.
+[[nodiscard]] std::filesystem::path beside(const std::filesystem::path& file, std::string name);
 
 /// The mesh in a file of 1 byte to 64 MiB.
 /// Errors: FileError `cannot load mesh 'F': why`; std::bad_alloc.

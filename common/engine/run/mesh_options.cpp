@@ -2,8 +2,13 @@
 #include "engine/run/mesh_options.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <sstream>
 #include <utility>
 
+#include "engine/files/load_image.hpp"
 #include "engine/files/read_obj.hpp"
 #include "engine/files/system.hpp"
 #include "engine/run/chosen.hpp"
@@ -34,6 +39,109 @@ void fit_to_crate(Mesh& mesh) {
   for (Point& p : mesh.points) p = (p - foot) * scale + Point{0, -1, 0};
 }
 
+constexpr std::size_t most_texels = std::size_t{1} << 27;  // of all pictures of a mesh
+
+Rgb8 bytes_of(const Rgb& color) {
+  const auto byte = [](double c) {
+    return static_cast<std::uint8_t>(255 * std::clamp(c, 0.0, 1.0) + 0.5);
+  };
+  return {byte(color.r), byte(color.g), byte(color.b)};
+}
+
+// A list of what messages name, of at most about 500 bytes.
+void add_to(std::string& list, const std::string& word) {
+  constexpr std::size_t longest = 500;
+  if (list.size() > longest) return;
+  list += (list.empty() ? "" : ", ") + word;
+  if (list.size() > longest) list += ", ...";
+}
+
+// The materials of a file: from its .mtl files, which it names one by one or in a row.
+std::map<std::string, Material> known_materials(const ObjFile& file,
+                                                const std::filesystem::path& path,
+                                                std::string& problems) {
+  std::map<std::string, Material> known;
+  for (const std::string& names : file.libraries) {
+    std::istringstream words(names);
+    std::vector<std::string> each{std::istream_iterator<std::string>(words), {}};
+    std::error_code error;
+    if (std::filesystem::exists(beside(path, names), error)) each = {names};
+    for (const std::string& name : each) {
+      try {
+        known.merge(load_mtl(beside(path, name)));
+      } catch (const FileError& fault) {
+        add_to(problems, fault.what());
+      }
+    }
+  }
+  return known;
+}
+
+// The textures of a file's materials, pictures or, where they have none, colors. Scales and moves
+// (u, v) as they say; notes what is missing.
+Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesystem::path& path,
+                                                const UvOptions& options) {
+  std::string problems, missing, left_out;
+  const std::map<std::string, Material> known = known_materials(file, path, problems);
+  Materials<published::LookUpTexture> made;
+  const auto add = [&](const Image& image) {
+    made.textures.push_back(options.read({image}));
+    return static_cast<int>(made.textures.size()) - 1;
+  };
+  struct Look {
+    bool is_plain = false;
+    int picture = -1, color = -1;  // of `made`; -1: the chapter's picture; not made yet
+    Material material{};
+  };
+  std::vector<Look> looks(1);  // of triangles without a material; then the file's
+  std::map<std::string, int> pictures;
+  std::size_t texels = 0;
+  for (const std::string& name : file.material_names) {
+    Look& look = looks.emplace_back();
+    const auto found = known.find(name);
+    if (found != known.end()) look.material = found->second;
+    const Material& material = look.material;
+    look.is_plain = found != known.end() && material.picture.empty();
+    if (!material.left_out.empty()) add_to(left_out, material.left_out + " of " + name);
+    try {
+      if (found == known.end())
+        throw FileError(problems.empty() ? "no .mtl file describes them" : problems);
+      if (look.is_plain) continue;
+      const auto [picture, is_new] = pictures.try_emplace(material.picture, -1);
+      if (is_new) {
+        const Image image = load_image(path_of(material.picture));
+        texels += image.pixels.size();
+        if (texels > most_texels) throw FileError("all pictures together are too large");
+        picture->second = add(image);
+      }
+      look.picture = picture->second;
+    } catch (const FileError& fault) {
+      add_to(missing, "'" + name + "'");
+      if (problems.find(fault.what()) == problems.npos) add_to(problems, fault.what());
+    }
+  }
+  for (std::size_t i = 0; i < file.mapping.corners.size(); ++i) {
+    auto& corners = file.mapping.corners[i];
+    Look& look =
+        looks[file.materials.empty() ? 0 : static_cast<std::size_t>(file.materials[i] + 1)];
+    const bool is_plain = look.is_plain || std::isnan(corners[0].u);
+    if (is_plain && look.color < 0) look.color = add(Image(1, 1, bytes_of(look.material.color)));
+    made.of_triangle.push_back(is_plain ? look.color : look.picture);
+    if (look.picture < 0) continue;
+    const Material& material = look.material;
+    for (Uv<double>& uv : corners) {
+      uv = {uv.u * material.scale.u + material.offset.u,
+            uv.v * material.scale.v + material.offset.v};
+    }
+  }
+  if (made.textures.empty()) made.of_triangle.clear();
+  if (!missing.empty())
+    file.notes.push_back("the chapter's picture is in place of the materials " + missing + ": " +
+                         problems);
+  if (!left_out.empty()) file.notes.push_back("left out the options of map_Kd: " + left_out);
+  return made;
+}
+
 }  // namespace
 
 void MeshOptions::declare(Offer& offer) {
@@ -45,21 +153,42 @@ void MeshOptions::declare(Offer& offer) {
       "how to compute the weights of a triangle's corners: from signed areas, or as in the article "
       "from the lengths of the sides");
   line.text("--mesh", "FILE", file,
-            "draw this mesh, an OBJ file with texture coordinates, instead of the crate");
+            "draw this mesh, an OBJ file with texture coordinates, instead of the crate: with the "
+            "pictures and colors of its .mtl file, unless --texture is given, and repeated, unless "
+            "--wrap is given");
+  line.choice("--normals", normals, "smooth|flat",
+              "how to shade a mesh that has normals: by their mix, or by each triangle's own");
   uv.declare(offer);
 }
 
-MeshScene MeshOptions::load(const Chosen& chosen) const {
+MeshScene MeshOptions::load(const Chosen& chosen) {
   const RotationY rotation = rotation_y(degrees);
-  ObjFile scene = file.empty() ? ObjFile{crate(), {}} : load_obj(path_of(file));
+  Materials<published::LookUpTexture> materials;
+  ObjFile scene;
+  if (file.empty()) {
+    static_cast<TexturedMesh&>(scene) = crate();
+  } else {
+    scene = load_obj(path_of(file));
+    if (!chosen.was_given("--wrap")) uv.look_up = published::LookUp{Wrap::repeat};
+    if (chosen.was_given("--texture")) {  // it replaces all
+      scene.material_names.clear();
+      scene.materials.clear();
+    }
+    materials = textures_of(scene, path_of(file), uv);
+    fit_to_crate(scene.mesh);
+  }
   for (const std::string& note : scene.notes) chosen.say(file + ": " + note + "\n");
-  if (!file.empty()) fit_to_crate(scene.mesh);
+  if (normals == MeshShading::flat) scene.normals.triangles.clear();
   for (Point& p : scene.mesh.points) p = rotation(p);
+  for (Vec3d& normal : scene.normals.points) normal = rotation(normal);
   constexpr double reach = 9;
   add_floor(scene, reach);
+  if (!materials.of_triangle.empty())
+    materials.of_triangle.resize(scene.mesh.triangles.size(), -1);  // the floor has the picture
+  if (!scene.normals.triangles.empty()) scene.normals.triangles.resize(scene.mesh.triangles.size());
   const bool is_small = scene.mesh.triangles.size() <= most_in_a_list;
   return {is_small ? BoxedMesh{std::move(scene.mesh), {}, {}} : with_boxes(std::move(scene.mesh)),
-          std::move(scene.mapping)};
+          std::move(scene.mapping), std::move(scene.normals), std::move(materials)};
 }
 
 }  // namespace texmap

@@ -1,4 +1,4 @@
-// The options of chapters with a mesh: --degrees, --weights, --mesh, and those of UvOptions.
+// The options of chapters with a mesh: --degrees, --weights, --mesh, --normals, and UvOptions'.
 #pragma once
 #include <string>
 
@@ -7,6 +7,8 @@
 #include "engine/fast/box_tree.hpp"
 #include "engine/run/uv_options.hpp"
 #include "published/mesh_weights.hpp"
+#include "scene/mesh_normals.hpp"
+#include "texture/material_paint.hpp"
 #include "texture/mesh_mapping.hpp"
 
 namespace texmap {
@@ -20,23 +22,33 @@ enum class WeightsFormula {
   heron,         ///< the triangle article: areas from side lengths
 };
 
-/// A mesh, with boxes if it is large, and the (u, v) of its corners.
+/// How a mesh is shaded whose corners have normals.
+enum class MeshShading {
+  smooth,  ///< by the mix of the corners' normals
+  flat,    ///< by the triangles' own
+};
+
+/// A mesh, with boxes if it is large, and what its corners and its file's materials say.
 struct MeshScene {
   BoxedMesh mesh;
   MeshMapping mapping;
+  MeshNormals normals;
+  Materials<published::LookUpTexture> materials;
 };
 
 /// The user's choices of a mesh and of what its corners' (u, v) mean.
 struct MeshOptions {
   double degrees = -25;  ///< turn of the mesh about +y
   WeightsFormula weights = WeightsFormula::signed_areas;
+  MeshShading normals = MeshShading::smooth;
   std::string file;  ///< in OBJ format; empty for the crate
   UvOptions uv{.look_up = {{Wrap::mirror}}};
 
   void declare(Offer& offer);
-  /// The crate or the file's mesh, as large and turned, on a floor; says what it left out.
+  /// The crate or the file's mesh, as large and turned, on a floor; says what it left out. With a
+  /// file the picture is repeated, unless the user chose.
   /// Errors: FileError with the file and the line.
-  [[nodiscard]] MeshScene load(const Chosen& chosen) const;
+  [[nodiscard]] MeshScene load(const Chosen& chosen);
 
   /// The hit with the weights of the chosen formula.
   template <class Real>

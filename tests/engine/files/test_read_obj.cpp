@@ -79,7 +79,7 @@ TEST_CASE("what is not drawn as the file says is told in a line, each word once"
   CHECK(std::isnan(read.mapping.corners[1][2].u));
   CHECK(read.notes == Notes{"skipped the lines that are no textured triangles: "
                             "'p' (line 6), 'l' (line 7), 'fo' (line 8), 'curv2' (line 10)",
-                            "faces without texture coordinates: 1 of 2, the first in line 12; "
+                            "faces without texture coordinates: 1, the first in line 12; "
                             "they have a plain color"});
   std::string many = triangle;
   for (int i = 0; i < 1000; ++i) many += "word" + std::to_string(i) + "\n";
@@ -105,6 +105,42 @@ TEST_CASE("a polygon that is not convex keeps its shape and its (u, v); one that
   CHECK(read_obj(corners + crossed + crossed).notes ==
         Notes{"polygons that cross themselves: 2, the first in line 13; their triangles cover "
               "more than they do"});
+}
+
+TEST_CASE("normals of unit length and materials arrive; where one is missing a face has none") {
+  const ObjFile read = read_obj(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 4\nvn 3 0 4\nvn 1.#IND 0 0\nmtllib a b.mtl # c\n"
+      "f 1/1 2/1 3/1\nusemtl old  wood#1 \nf 1/1/1 2/1/-2 3/1/1\nf 1/1/1 2/1/3 3/1/1\n"
+      "usemtl b\nf 1/1/1 2/1/9 3/1/1\nusemtl old  wood#1\nf 1//1 2//2 3//1\nf 1/1 2/1 3/1\n");
+  CHECK(read.normals.triangles.size() == 6);
+  CHECK(read.normals.triangles[1] == std::array{1, 2, 1});
+  for (const std::size_t flat : {0, 2, 3, 5})
+    CHECK(read.normals.triangles[flat] == std::array{0, 0, 0});
+  CHECK(largest(read.normals.points[0]) == 0);
+  CHECK(read.normals.points[1].z == 1);
+  CHECK(read.normals.points[2].x == doctest::Approx(0.6));
+  CHECK(read.libraries == std::vector<std::string>{"a b.mtl"});
+  CHECK(read.material_names == std::vector<std::string>{"old  wood#1", "b"});
+  CHECK(read.materials == std::vector<int>{-1, 0, 0, 1, 0, 0});
+  CHECK(read.notes ==
+        Notes{"faces without texture coordinates: 1, the first in line 16; they have a plain color",
+              "faces without their normals (vn): 2, the first in line 12; they are flat"});
+}
+
+TEST_CASE("a material is its picture, with blanks, scale and offset, or its color") {
+  const std::map<std::string, Material> read = read_mtl(
+      "map_Kd none.png\nnewmtl a b\nNs 9\nKd 1 .5 0\n\tmap_Kd -s 2 3 1 -clamp on -o .5 -mm 0 1 "
+      "C:\\my pics\\a 1.png # x\nnewmtl c\r\nKd .25\r\nnewmtl d\nKd xyz 1 1\nmap_Kd\n");
+  CHECK(read.size() == 3);
+  const Material& picture = read.at("a b");
+  CHECK(picture.picture == "C:\\my pics\\a 1.png");
+  CHECK(picture.left_out == "-clamp, -mm");
+  CHECK(picture.color.g == 0.5);
+  CHECK(std::array{picture.scale.u, picture.scale.v} == std::array{2.0, 3.0});
+  CHECK(std::array{picture.offset.u, picture.offset.v} == std::array{0.5, 0.0});
+  CHECK(read.at("c").color.b == 0.25);
+  CHECK(read.at("d").color.r == 0.8);
+  CHECK(read.at("d").picture.empty());
 }
 
 TEST_CASE("numbers, indices and fans arrive as they are in the file") {
