@@ -5,8 +5,7 @@
 #include "engine/run/texture_file.hpp"
 #include "scene/stage.hpp"
 #include "texture/image_texture.hpp"
-#include "texture/material_paint.hpp"
-#include "texture/mesh_mapping.hpp"
+#include "texture/mapped.hpp"
 #include "texture/surface.hpp"
 
 namespace texmap::chapter_08 {
@@ -33,16 +32,14 @@ struct Lesson : MeshLesson {
              scene.materials};
   }
   Surface<double> first_surface(const Ray<double>& ray) const override {
-    const MeshHit<double> hit = choice.weighted(scene.mesh, first_hit(scene.mesh, ray));
-    return surface_at(hit, scene.normals(hit), paint);
+    return surface_at(choice.weighted(scene.mesh, first_hit(scene.mesh, ray)), paint, scene.normal);
   }
 
   /// The color that one ray sees.
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
     const MeshHit<Real> hit = choice.weighted(scene.mesh, first_hit(scene.mesh, ray));
-    const LightSample<Real> light =
-        sample_light(stage.light, others(scene.mesh, hit), hit, scene.normals);
+    const auto light = sample_light(stage.light, others(scene.mesh, hit), hit, scene.normal);
     return select(hit.met, paint(hit) * lambert(surface, light), stage.sky(ray));
   }
 };

@@ -1,5 +1,6 @@
 // Normals that are stored in the corners of a mesh.
 #pragma once
+#include "number/compiler.hpp"
 #include "scene/mesh.hpp"
 #include "scene/shading_normal.hpp"
 
@@ -11,7 +12,7 @@ struct MeshNormals : Mesh {
   /// The unit normal to shade with: the mix of the corners' by their weights at the hit point,
   /// turned to the side that the ray comes from. Where corners have none: the surface's own.
   template <class Real>
-  [[nodiscard]] Vec3<Real> operator()(const MeshHit<Real>& hit) const {
+  [[nodiscard]] TEXMAP_NOINLINE Vec3<Real> operator()(const MeshHit<Real>& hit) const {
     if (triangles.empty() || !any(hit.met)) return hit.normal;
     const auto [a, b, c] = corners_of(*this, hit.triangle);
     const Vec3<Real> sum = a * hit.a + b * hit.b + c * hit.c;

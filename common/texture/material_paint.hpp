@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "number/compiler.hpp"
 #include "scene/mesh.hpp"
 #include "texture/mapped.hpp"
 
@@ -22,18 +23,24 @@ struct MaterialPaint : Mapped<Mapping, Texture> {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const MeshHit<Real>& hit) const {
     const Uv<Real> uv = this->mapping(hit);
-    const auto number_at = [&](int triangle, int) {
-      return std::array{materials.of_triangle[static_cast<std::size_t>(triangle)], 0, 0};
+    return materials.of_triangle.empty() ? this->texture(uv) : of_materials(uv, hit.triangle);
+  }
+
+ private:
+  template <class Real>
+  [[nodiscard]] TEXMAP_NOINLINE Color<Real> of_materials(const Uv<Real>& uv,
+                                                         const Real& triangle) const {
+    const auto number_at = [&](int number, int) {
+      return std::array{materials.of_triangle[static_cast<std::size_t>(number)], 0, 0};
     };
-    const bool is_one = materials.of_triangle.empty();
-    const Real number = is_one ? Real(-1) : look_up(number_at, hit.triangle, Real(0))[0];
+    const Real number = look_up(number_at, triangle, Real(0))[0];
     Color<Real> color = gray(Real(0));
     for (int i = -1; i < static_cast<int>(materials.textures.size()); ++i) {
       const Mask<Real> here = number == Real(i);
       if (!any(here)) continue;
-      const Texture& texture =
+      const Texture& of_material =
           i < 0 ? this->texture : materials.textures[static_cast<std::size_t>(i)];
-      color = select(here, texture(uv), color);
+      color = select(here, of_material(uv), color);
     }
     return color;
   }

@@ -42,12 +42,14 @@ template <template <class> class AnyHit, class Real, class... Paints>
                     static_cast<const std::variant<Paints...>&>(paint));
 }
 
-/// The surface of a mesh at a hit, with the normal that it is shaded with.
-template <class Real, class Paint>
-[[nodiscard]] Surface<Real> surface_at(const MeshHit<Real>& hit, const Vec3<Real>& normal,
-                                       const Paint& paint) {
+/// The surface of a mesh at a hit.
+///
+/// @param normal_of  called with the hit
+template <class Real, class Paint, class NormalOf>
+[[nodiscard]] Surface<Real> surface_at(const MeshHit<Real>& hit, const Paint& paint,
+                                       const NormalOf& normal_of) {
   if (!hit.met) return {};
-  return {static_cast<int>(hit.triangle), normal, uv_of_paint(paint, hit)};
+  return {static_cast<int>(hit.triangle), normal_of(hit), uv_of_paint(paint, hit)};
 }
 
 /// The surface of the object that a ray meets first.

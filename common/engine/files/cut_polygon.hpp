@@ -14,8 +14,7 @@ inline constexpr std::size_t most_polygon_looks = std::size_t{1} << 28;
 /// Numbers of a polygon's corners, three for each triangle, in the polygon's direction.
 using Cuts = std::vector<std::array<std::size_t, 3>>;
 
-/// Cuts a polygon into triangles that cover it and nothing else: a fan from its first corner where
-/// that does, as in each convex one; else corners are cut off one by one (ear clipping).
+/// Cuts a polygon into triangles that cover it alone: a fan where that does, else ear by ear.
 ///
 /// @param corners  3 or more, about in a plane; become what is seen along the axis that it faces
 /// @param looks    how many looks at an edge are left; n corners usually take 1 to 4 n^2

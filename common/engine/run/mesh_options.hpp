@@ -32,7 +32,7 @@ enum class MeshShading {
 struct MeshScene {
   BoxedMesh mesh;
   MeshMapping mapping;
-  MeshNormals normals;
+  MeshNormals normal;
   Materials<published::LookUpTexture> materials;
 };
 

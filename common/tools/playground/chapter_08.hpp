@@ -50,7 +50,7 @@ struct TriangleUv {
     rows.push_back(fact({"v", hit.a, " · ", uvs[0].v, " + ", hit.b, " · ", uvs[1].v, " + ", hit.c,
                          " · ", uvs[2].v, " = ", uv.v}));
     const auto light =
-        sample_light(lesson.stage.light, others(mesh, hit), hit, lesson.scene.normals);
+        sample_light(lesson.stage.light, others(mesh, hit), hit, lesson.scene.normal);
     const Color<double> paint = lesson.paint(hit);
     rows.push_back(fact("paint", {255 * paint.r, 255 * paint.g, 255 * paint.b},
                         {" · light ", lambert(lesson.surface, light)}));
