@@ -1,5 +1,7 @@
 // Chapter 08: the edge functions and the weights of a pixel's triangle.
 #pragma once
+#include <cmath>
+
 #include "08_triangle_uv/lesson.hpp"
 #include "figure.hpp"
 #include "live.hpp"
@@ -45,10 +47,12 @@ struct TriangleUv {
     }
     figure.dot(x({}), y({}), "accent");
     const Uv<double> uv = lesson.paint.mapping(hit);
-    rows.push_back(fact({"u", hit.a, " · ", uvs[0].u, " + ", hit.b, " · ", uvs[1].u, " + ", hit.c,
-                         " · ", uvs[2].u, " = ", uv.u}));
-    rows.push_back(fact({"v", hit.a, " · ", uvs[0].v, " + ", hit.b, " · ", uvs[1].v, " + ", hit.c,
-                         " · ", uvs[2].v, " = ", uv.v}));
+    if (!std::isnan(uv.u)) {
+      rows.push_back(fact({"u", hit.a, " · ", uvs[0].u, " + ", hit.b, " · ", uvs[1].u, " + ", hit.c,
+                           " · ", uvs[2].u, " = ", uv.u}));
+      rows.push_back(fact({"v", hit.a, " · ", uvs[0].v, " + ", hit.b, " · ", uvs[1].v, " + ", hit.c,
+                           " · ", uvs[2].v, " = ", uv.v}));
+    }
     const auto light =
         sample_light(lesson.stage.light, others(mesh, hit), hit, lesson.scene.normal);
     const Color<double> paint = lesson.paint(hit);

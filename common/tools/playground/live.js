@@ -219,6 +219,7 @@ const controls = [
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
   {option: "--weights", label: "Weights",
     told: "from signed areas, or as in the article from the sides; the picture is the same"},
+  {option: "--normals", label: "Shading", told: "of a mesh whose corners have normals"},
   {option: "--wrap", label: "Wrap mode", in: "08 09",
     told: "what the texture shows where u or v is beyond 0 to 1"},
   {option: "--sky", label: "Sky"},
@@ -734,6 +735,7 @@ function live(main, packed) {
       forgetFiles(option, values[option]);
       files.set(name, {shown, bytes, option, isRaw});
       values[option] = name;
+      if (option === "--mesh") values["--wrap"] = "repeat";  // the program's preset with a file
       change();
     },
     lost: ({reason}) => lost(reason),
@@ -888,7 +890,8 @@ function live(main, packed) {
   }
 
   // -- The options.
-  const preset = (option) => sceneSets[values["--scene"]]?.[option] ?? presets[option];
+  const preset = (option) => sceneSets[values["--scene"]]?.[option]
+    ?? (option === "--wrap" && values["--mesh"] ? "repeat" : presets[option]);
   const plainView = () => ["color", "globe", undefined].includes(values["--show"]);
   // Only what differs from the presets. A small picture takes one ray per pixel, or two samples; so
   // do normals and objects, of which there is no mean.
