@@ -23,6 +23,14 @@ bool apart(double one, double other) { return one < 0 ? other > 0 : one > 0 && o
 
 bool same(const Vec3d& a, const Vec3d& b) { return a.x == b.x && a.y == b.y; }
 
+// True if the line from a to b crosses that from c to d, and does not only touch it.
+bool cross_each_other(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
+    return false;
+  return apart(turn(a, b, c), turn(a, b, d)) && apart(turn(c, d, a), turn(c, d, b));
+}
+
 // Turns corners into their places in a plane, counterclockwise.
 void flatten(std::vector<Point>& corners) {
   Vec3d normal{}, sizes{};
@@ -57,7 +65,6 @@ class Clipper {
 
   // True if the triangles in `cuts` cover the polygon.
   bool clip(Cuts& cuts) {
-    if (crosses_itself()) return false;
     for (std::size_t i = 0, tried = 0; left_.size() > 2; i %= left_.size()) {
       const auto [before, after] = neighbors(i);
       const double area = turn(place(before), place(i), place(after));
@@ -81,35 +88,19 @@ class Clipper {
   }
   [[nodiscard]] const Point& place(std::size_t i) const { return at_[left_[i]]; }
 
-  // True if the line from a to b crosses the edge behind corner i, and does not only touch it; or
-  // if it was the last look.
-  bool crosses(const Point& a, const Point& b, std::size_t i) {
-    if (looks_ == 0 || --looks_ == 0) return true;
-    const Point &c = place(i), &d = place(neighbors(i)[1]);
-    if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
-        std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
-      return false;
-    return apart(turn(a, b, c), turn(a, b, d)) && apart(turn(c, d, a), turn(c, d, b));
-  }
-
-  bool crosses_itself() {
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        if (crosses(place(i), place(neighbors(i)[1]), k)) return true;
-      }
-    }
-    return false;
-  }
-
-  // True if nothing else of the polygon is in the triangle of three corners.
+  // True if nothing else of the polygon is in the triangle of three corners, and no edge crosses
+  // its sides; so edges that cross each other are found when the first of them is cut off.
   bool is_alone(std::size_t before, std::size_t at, std::size_t after) {
     const Point &a = place(before), &b = place(at), &c = place(after);
     for (std::size_t k = 0; k < left_.size(); ++k) {
-      const Point& p = place(k);
+      if (looks_ == 0 || --looks_ == 0) return false;
+      const Point &p = place(k), &next = place(neighbors(k)[1]);
       const bool is_corner = same(p, a) || same(p, b) || same(p, c);
       if (!is_corner && turn(c, a, p) >= 0 && turn(a, b, p) >= 0 && turn(b, c, p) >= 0)
         return false;
-      if (crosses(a, c, k)) return false;
+      if (cross_each_other(c, a, p, next) || cross_each_other(a, b, p, next) ||
+          cross_each_other(b, c, p, next))
+        return false;
     }
     return true;
   }

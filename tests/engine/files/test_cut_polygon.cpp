@@ -88,7 +88,10 @@ TEST_CASE("a convex polygon is a fan; so is one that crosses itself or is too la
   Dice dice;
   CHECK(points_wrong(star(dice, 100), dice, 1000) == -1);
   for (const std::vector<double>& xy : std::vector<std::vector<double>>{
-           {0, 0, 1, 1, 1, 0, 0, 1}, {0, 0, 6, 0, 1, 4, 3, -3, 5, 4}}) {  // an 8, a pentagram
+           {0, 0, 1, 1, 1, 0, 0, 1},                               // an 8
+           {0, 0, 6, 0, 1, 4, 3, -3, 5, 4},                        // a pentagram
+           {0, 0, 1, 0, 0, 1, -1, 0, 0, -1, 2, 0, 0, 2, -2, 0.1},  // twice around its first corner
+           {0, 0, 4, 0, 4, 4, 3, 4, 3, -1, 2, -1, 2, 4, 0, 4}}) {  // a bay through the far side
     Polygon crossed = polygon_of(xy);
     CHECK(points_wrong(crossed, dice) == -1);
     looks = most_polygon_looks;
