@@ -175,8 +175,9 @@ class ObjReader {
     if (kind == "vn") return add_normal();
     const std::string name(words_.size() > 1 ? name_from(line, words_[1]) : "");
     if (kind == "usemtl") return use_material(name);
-    if (kind == "mtllib") return result_.libraries.push_back(name);
-    constexpr std::string_view ignored[] = {"o", "g", "s", "mg"};
+    if (kind == "mtllib" && result_.libraries.size() < max_mesh_libraries)
+      result_.libraries.push_back(name);
+    constexpr std::string_view ignored[] = {"o", "g", "s", "mg", "mtllib"};
     if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored)) skip(kind);
   }
 
@@ -352,6 +353,7 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
       if (const auto rgb = numbers_at(1); rgb.size() == 3 || rgb.size() == 1)
         material->color = {rgb.front(), rgb[rgb.size() / 2], rgb.back()};
     } else if (words[0] == "map_Kd") {
+      *material = {.color = material->color};
       std::size_t i = 1;
       while (i < words.size() && words[i].front() == '-') {
         const std::string_view option = words[i++];

@@ -18,6 +18,7 @@ inline constexpr std::size_t max_mesh_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t max_mesh_line = std::size_t{1} << 16;
 inline constexpr std::size_t max_mesh_triangles = std::size_t{1} << 21;
 inline constexpr std::size_t max_mesh_materials = 10000;
+inline constexpr std::size_t max_mesh_libraries = 100;  // .mtl files; more are not looked for
 inline constexpr double max_mesh_number = 1e30;
 
 /// What an OBJ file says.

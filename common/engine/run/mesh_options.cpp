@@ -48,11 +48,12 @@ Rgb8 bytes_of(const Rgb& color) {
   return {byte(color.r), byte(color.g), byte(color.b)};
 }
 
-// A list of what messages name, of at most about 500 bytes.
+// A list of what messages name: about 500 bytes at most, and nothing that steers a terminal.
 void add_to(std::string& list, const std::string& word) {
   constexpr std::size_t longest = 500;
   if (list.size() > longest) return;
-  list += (list.empty() ? "" : ", ") + word;
+  if (!list.empty()) list += ", ";
+  for (const char c : word.substr(0, longest)) list += c >= '\0' && c < ' ' ? '?' : c;
   if (list.size() > longest) list += ", ...";
 }
 
@@ -61,12 +62,14 @@ std::map<std::string, Material> known_materials(const ObjFile& file,
                                                 const std::filesystem::path& path,
                                                 std::string& problems) {
   std::map<std::string, Material> known;
+  std::size_t tried = 0;
   for (const std::string& names : file.libraries) {
     std::istringstream words(names);
     std::vector<std::string> each{std::istream_iterator<std::string>(words), {}};
     std::error_code error;
     if (std::filesystem::exists(beside(path, names), error)) each = {names};
     for (const std::string& name : each) {
+      if (++tried > max_mesh_libraries) return known;
       try {
         known.merge(load_mtl(beside(path, name)));
       } catch (const FileError& fault) {
@@ -116,9 +119,9 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
       }
       look.picture = picture->second;
     } catch (const FileError& fault) {
-      add_to(missing, "'" + name + "'");
       if (problems.find(fault.what()) == problems.npos) add_to(problems, fault.what());
     }
+    if (look.picture < 0) add_to(missing, "'" + name + "'");
   }
   for (std::size_t i = 0; i < file.mapping.corners.size(); ++i) {
     auto& corners = file.mapping.corners[i];
