@@ -21,10 +21,8 @@ template <class Real>
   return select(usual, fade, Real(0));
 }
 
-/// The light of a surface that is shaded with the unit normal `shading`. Whether light arrives is
+/// The light `plain` of a surface, shaded with the unit normal `shading`. Whether light arrives is
 /// decided by the surface itself: a bump cannot catch light that its globe hides.
-///
-/// @param plain  the light of the surface itself
 template <class Real>
 [[nodiscard]] LightSample<Real> shaded(const LightSample<Real>& plain, const Hit<Real>& hit,
                                        const Vec3<Real>& shading) {
