@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <type_traits>
 
@@ -54,6 +55,7 @@ struct BoxRay {
                                std::array<Real, 8>& depths) const {
     unsigned entered = 0;
     for (std::size_t i = 0; i < 8; ++i) {
+      if (std::isnan(boxes.sides[i])) continue;  // no box; intervals take NaN for any number
       Real near = -infinity<Real>();
       Real far = infinity<Real>();
       Real in = infinity<Real>();

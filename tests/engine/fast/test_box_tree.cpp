@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/fast/box_search.hpp"
+#include "number/kinds/interval.hpp"
 #include "number/kinds/pack2.hpp"
 #include "support/lanes.hpp"
 #include "support/mesh_rays.hpp"
@@ -116,6 +117,20 @@ TEST_CASE_TEMPLATE("each lane meets in the tree what a plain ray meets", Many, P
           return std::tuple{select(hit.met, hit.distance, Real(-1)), hit.triangle};
         },
         ray);
+  }
+}
+
+TEST_CASE(
+    "intervals that may hit hold what a plain ray meets, and boxes that are none stay empty") {
+  Dice dice;
+  const BoxedMesh tree = with_boxes(torus(20, 12).mesh);
+  for (int i = 0; i < 200; ++i) {
+    const auto ray = aimed<double>([&] { return point_within(dice, 3); },
+                                   [&] { return point_on_edge(dice, tree); });
+    const MeshHit<double> plain = first_hit(tree, ray);
+    const auto hit = first_hit(tree, Ray<Interval>{number_cast<Interval>(ray.origin),
+                                                   number_cast<Interval>(ray.direction)});
+    if (plain.met) CHECK(hit.triangle.contains(plain.triangle));
   }
 }
 

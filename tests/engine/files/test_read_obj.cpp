@@ -114,7 +114,7 @@ TEST_CASE("normals of unit length and materials arrive; where one is missing a f
       "usemtl b\nf 1/1/1 2/1/9 3/1/1\nusemtl old  wood#1\nf 1//1 2//2 3//1\nf 1/1 2/1 3/1\n");
   CHECK(read.normals.triangles.size() == 6);
   CHECK(read.normals.triangles[1] == std::array{1, 2, 1});
-  for (const std::size_t flat : {0, 2, 3, 5})
+  for (const std::size_t flat : {0U, 2U, 3U, 5U})
     CHECK(read.normals.triangles[flat] == std::array{0, 0, 0});
   CHECK(largest(read.normals.points[0]) == 0);
   CHECK(read.normals.points[1].z == 1);
