@@ -180,7 +180,7 @@ MeshScene MeshOptions::load(const Chosen& chosen) {
     materials = textures_of(scene, path_of(file), uv);
     fit_to_crate(scene.mesh);
   }
-  for (const std::string& note : scene.notes) chosen.say(file + ": " + note + "\n");
+  for (const std::string& note : scene.notes) chosen.note(file + ": " + note + "\n");
   if (normals == MeshShading::flat) scene.normals.triangles.clear();
   for (Point& p : scene.mesh.points) p = rotation(p);
   for (Vec3d& normal : scene.normals.points) normal = rotation(normal);

@@ -957,7 +957,8 @@ function live(main, packed) {
     copy.textContent = "Copy";
     for (const {option, opened, hint} of ownFiles) {
       const own = values[option] !== presets[option] && files.get(values[option]);
-      const noted = notes.split("\n").find((line) => own && line.startsWith(values[option]));
+      const noted = notes.split("\n").filter((line) => own && line.startsWith(values[option]))
+        .join("; ");
       opened.textContent = own ? (noted || values[option]).replaceAll(values[option], own.shown)
         : hint;
     }
