@@ -277,9 +277,10 @@ class ObjReader {
     corners_.clear();
     for (std::size_t i = 1; i < words_.size(); ++i) {
       corners_.push_back(corner(words_[i]));
-      if (has_uv(corners_.back().uv) != has_uv(corners_.front().uv))
+      if (has_uv(corners_.back().uv) != has_uv(corners_.front().uv)) {
         throw FileError("the corner " + quoted(words_[has_uv(corners_[0].uv) ? i : 1]) +
                         " has no texture coordinates, but others of its face have");
+      }
     }
     if (!has_uv(corners_[0].uv)) count(without_uv_);
     const auto has_normal = [](const Corner& at) { return at.normal > 0; };
@@ -376,7 +377,7 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
 
 std::filesystem::path beside(const std::filesystem::path& file, std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path there = file.parent_path() / path_of(name);
+  std::filesystem::path there = file.parent_path() / path_of(name);
   std::error_code error;
   if (std::filesystem::exists(there, error)) return there;
   return file.parent_path() / there.filename();

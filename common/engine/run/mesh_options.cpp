@@ -43,7 +43,7 @@ constexpr std::size_t most_texels = std::size_t{1} << 27;  // of all pictures of
 
 Rgb8 bytes_of(const Rgb& color) {
   const auto byte = [](double c) {
-    return static_cast<std::uint8_t>(255 * std::clamp(c, 0.0, 1.0) + 0.5);
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0, 1.0)));
   };
   return {byte(color.r), byte(color.g), byte(color.b)};
 }
@@ -138,9 +138,10 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
     }
   }
   if (made.textures.empty()) made.of_triangle.clear();
-  if (!missing.empty())
+  if (!missing.empty()) {
     file.notes.push_back("the chapter's picture is in place of the materials " + missing + ": " +
                          problems);
+  }
   if (!left_out.empty()) file.notes.push_back("left out the options of map_Kd: " + left_out);
   return made;
 }

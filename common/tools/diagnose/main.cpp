@@ -160,9 +160,10 @@ std::string by_slips(const Choices& choices, const Image& mine,
            100.0 * static_cast<double>(why.explained) / static_cast<double>(why.different));
   for (const std::string& other : why.instead) evidence += "\n  or          " + other;
   for (const auto& [name, row] : whys) {
-    if (row.first != first && row.second.slips.size() <= why.slips.size())
+    if (row.first != first && row.second.slips.size() <= why.slips.size()) {
       evidence += "\n  or          chapter " + name.substr(0, 2) + "'s picture, " +
                   all_of(row.second.slips);
+    }
   }
   return explained(choices, *first, why.slips, evidence) +
          (whys.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
@@ -198,17 +199,18 @@ Stray stray_pixels(const Image& mine, const Image& right) {
 
 /// Words for a picture that is right but for a few pixels.
 std::string but_for(const Choices& choices, const WrongPicture& right, const Stray& stray) {
-  const double box = double(stray.right - stray.left + 1) * (stray.bottom - stray.top + 1);
+  const double box = (stray.right - stray.left + 1.0) * (stray.bottom - stray.top + 1);
   std::string what = "pixels of other colors";
-  if (stray.black * 10 >= stray.count * 9)
+  if (box * 100 < right.picture.width * static_cast<double>(right.picture.height)) {
+    what = text("something is painted over columns %d to %d, rows %d to %d", stray.left,
+                stray.right, stray.top, stray.bottom);
+  }
+  if (stray.white * 10 >= stray.count * 9) what = "white dots: most likely a division by 0";
+  if (stray.black * 10 >= stray.count * 9) {
     what =
         "black dots: most likely a number that is none (NaN), or shadow rays that meet their own "
         "surface";
-  else if (stray.white * 10 >= stray.count * 9)
-    what = "white dots: most likely a division by 0";
-  else if (box * 100 < double(right.picture.width) * right.picture.height)
-    what = text("something is painted over columns %d to %d, rows %d to %d", stray.left,
-                stray.right, stray.top, stray.bottom);
+  }
   return choices.file + ": chapter " + right.name.substr(0, 2) + "'s picture, right but for " +
          text("%zu pixels: ", stray.count) + what +
          text("\n  the first   column %d, row %d\n", stray.column, stray.row);

@@ -322,7 +322,7 @@ Rgb texel_of(int form, const Image& image, Uv<double> uv) {
     case 15:
       return {};
     case 16:
-      return {double(p.r / 255), double(p.g / 255), double(p.b / 255)};
+      return {p.r < 255 ? 0.0 : 1.0, p.g < 255 ? 0.0 : 1.0, p.b < 255 ? 0.0 : 1.0};
     case 17:
       return {1, 1, 1};
     default:
@@ -476,9 +476,10 @@ class Search {
     if (place == light) return {lights_[static_cast<std::size_t>(row)]->words, ""};
     if (place == degrees) {
       const std::string end = ": u begins at another place, or the globe is turned";
-      if (row == 180)
+      if (row == 180) {
         return {"half a turn off: u begins on the other side, or the globe is turned",
                 "`u + 0.5`, minus 1 from 1 on"};
+      }
       if (row % 90 == 0) return {"a quarter turn off" + end, ""};
       return {text("turned by %d degrees", row) + end, ""};
     }

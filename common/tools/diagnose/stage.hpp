@@ -77,7 +77,7 @@ template <class Lesson>
         visit_paint(object.paint, keep_paint);
       };
       for_each_hit(lesson.objects, ray, find_nearest(lesson.objects, ray), keep);
-      stage.pixels.push_back(std::move(seen));
+      stage.pixels.push_back(seen);
     }
   }
   return stage;
