@@ -47,7 +47,18 @@ struct StageView {
 };
 inline constexpr int lattice = 3;
 
+/// Lessons of spheres in the light of the stage; a reader's own may draw something else.
 template <class Lesson>
+concept HasStageLight = mistakes::HasHighlight<Lesson> || requires(const Lesson& lesson) {
+  lesson.surface;
+};
+template <class Lesson>
+concept OfTheStage = HasStageLight<Lesson> && requires(const Lesson& lesson) {
+  lesson.objects.front().shape.radius;
+  lesson.stage.sky;
+};
+
+template <OfTheStage Lesson>
 [[nodiscard]] StageView view_stage(std::string_view chapter) {
   const Lesson lesson = prepared<Lesson>();
   StageView stage{.chapter = std::string(chapter)};
@@ -83,14 +94,20 @@ template <class Lesson>
   return stage;
 }
 
-/// A chapter that can be viewed: stages.cmake lists them.
+/// A chapter that can be viewed: stages.cmake lists them. Of another scene there are no pixels.
 struct OnStage {
   std::string_view name;
   StageView (*view)(std::string_view chapter);
 };
 template <class Lesson>
 constexpr OnStage on_stage(std::string_view name) {
-  return {name, view_stage<Lesson>};
+  return {name, [](std::string_view chapter) -> StageView {
+            if constexpr (OfTheStage<Lesson>) {
+              return view_stage<Lesson>(chapter);
+            } else {
+              return {.chapter = std::string(chapter)};
+            }
+          }};
 }
 [[nodiscard]] const std::vector<OnStage>& stages();
 
