@@ -718,6 +718,7 @@ function live(main, packed) {
       if (undo) {
         files.delete(values[undo.option]);
         values[undo.option] = undo.before;
+        if (undo.wrap) values["--wrap"] = undo.wrap;
         const fault = widgets[undo.option]?.fault;
         undo = null;
         if (fault) { fault.textContent = reason; change(); return; }
@@ -735,7 +736,10 @@ function live(main, packed) {
       forgetFiles(option, values[option]);
       files.set(name, {shown, bytes, option, isRaw});
       values[option] = name;
-      if (option === "--mesh") values["--wrap"] = "repeat";  // the program's preset with a file
+      if (option === "--mesh") {  // the program's preset with a file
+        undo.wrap = values["--wrap"];
+        values["--wrap"] = "repeat";
+      }
       change();
     },
     lost: ({reason}) => lost(reason),
