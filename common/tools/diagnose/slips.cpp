@@ -350,7 +350,7 @@ Rgb8 bytes_of(int form, const Rgb& c) {
     if (form == 1) x = srgb_decode(std::clamp(x, 0.0, 1.0));
     if (form == 2) x = srgb_encode(std::clamp(x, 0.0, 1.0));
     if (form == 3)
-      return static_cast<std::uint8_t>(static_cast<long>(255 * std::clamp(x, -1e6, 1e6)));
+      return static_cast<std::uint8_t>(static_cast<long>(std::abs(x) < 1e6 ? 255 * x : 0));
     if (form == 7 || form == 8) x = std::pow(std::clamp(x, 0.0, 1.0), form == 7 ? 1 / 2.2 : 0.5);
     if (form == 9) x = std::pow(std::clamp(x, 0.0, 1.0), 2.2);
     const std::uint8_t b = byte_of(x);
