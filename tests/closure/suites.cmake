@@ -32,7 +32,7 @@ add_closure(07_earth_by_sampling 40 2400 ${moved})
 add_closure(08_triangle_uv 45 2800)
 add_closure(09_texture_filtering 46 3100)
 add_closure(10_projections 45 2800 ${by_06})
-add_closure(11_bump_and_normal_maps 50 2980)
+add_closure(11_bump_and_normal_maps 50 2990)
 add_closure(12_environment_map 45 2800)
 
 # The rooms of common/: a header that climbs is refused with its name and its room.
