@@ -57,7 +57,7 @@ if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   foreach(script test_live test_pages)
     string(REPLACE test_ browser_ name ${script})
     add_check(${name} playground "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/${script}.py" "${CMAKE_SOURCE_DIR}"
-      "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live" WITH SKIP_RETURN_CODE 77 TIMEOUT 900)
+      "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live" WITH SKIP_RETURN_CODE 77 TIMEOUT 1500)
   endforeach()
 endif()
 if(PYTHON3 AND TARGET book AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
