@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include "engine/files/text.hpp"
@@ -18,12 +18,29 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// What is wrong, and what to write instead; empty where a card says that.
 struct Named {
   const char *words, *change;
 };
+/// The same with its calculation, one for each place of the path.
+template <class Calculation>
+struct Calculated : Named {
+  Calculation calculate;
+};
+/// A texel, and the (u, v) that it is read for.
+struct Spot {
+  int column, row;
+  Uv<double> uv;
+};
+using UForm = Calculated<double (*)(double angle, const Vec3d& d)>;  // angle = atan2(-z, x)
+using VForm = Calculated<double (*)(double v, double y)>;            // v: the right one
+using Texel = Calculated<Uv<double> (*)(const Uv<double>& uv, double columns, double rows)>;
+using Reading = Calculated<Rgb (*)(const Image& image, const Spot& at)>;
+using IsOdd = Calculated<bool (*)(double u, double v)>;  // u and v times the number of squares
+using Bytes = Calculated<Rgb8 (*)(const Rgb& color)>;
 
-/// The places of the path where something can slip.
-enum Stage {
+/// The places of the path where something can slip, in their order.
+enum Place {
   turned,
   pole,
   mirrored,
@@ -31,7 +48,8 @@ enum Stage {
   upside,
   u_form,
   v_form,
-  look,
+  texel,
+  reading,
   squares,
   light,
   bytes,
@@ -39,7 +57,9 @@ enum Stage {
 };
 constexpr int places = flip + 1;
 
-// Row 0 of each table is right. The texture on the globe, in the order of the path.
+// Row 0 of each table is right.
+
+enum Turned { not_turned = 1, other_way, twice, from_origin, inward, undivided };
 constexpr Named of_turned[] = {
     {},
     {"not turned at all", "rotate the normal before the mapping"},
@@ -57,92 +77,264 @@ constexpr Named of_pole[] = {
 };
 constexpr Named of_mirrored[] = {{}, {"mirrored: u runs the other way", ""}};
 constexpr Named of_upside[] = {{}, {"upside down: v runs the other way", ""}};
-constexpr Named of_u[] = {
-    {},
-    {"striped: u is negative on one half and was limited to 0; the 1/2 is missing", ""},
-    {"twice around: u covers 0 to 2, or it was divided by pi and not by 2 pi",
-     "`atan2(-z, x) / (2 * pi) + 0.5`"},
-    {"folded: atan knows half of the directions; atan2 knows all",
-     "`atan2(-z, x)`, not `atan(-z / x)`"},
-    {"folded: atan over pi covers the map twice; atan2 over 2 pi once",
-     "`atan2(-z, x) / (2 * pi) + 0.5`"},
-    {"folded: acos gives east and west the same u", "`atan2(-z, x)`, not `acos(x)`"},
-    {"one column: u was cut to a whole number", "divide and multiply floating-point numbers"},
-    {"u is the angle in radians: it was not divided by 2 pi", "`atan2(-z, x) / (2 * pi) + 0.5`"},
-    {"u is the angle in degrees", "`atan2(-z, x) / (2 * pi) + 0.5`"},
-    {"the map is projected flat: u was taken from x, without the angle",
-     "`atan2(-z, x) / (2 * pi) + 0.5`"},
-    {"u is negative on one half: the 1/2 is missing", "`atan2(-z, x) / (2 * pi) + 0.5`"},
+
+constexpr const char* right_u = "`atan2(-z, x) / (2 * pi) + 0.5`";
+constexpr UForm of_u[] = {
+    {{}, [](double angle, const Vec3d&) { return angle / (2 * pi) + 0.5; }},
+    {{"striped: u is negative on one half and was limited to 0; the 1/2 is missing", ""},
+     [](double angle, const Vec3d&) { return angle / (2 * pi); }},
+    {{"twice around: u covers 0 to 2, or it was divided by pi and not by 2 pi", right_u},
+     [](double angle, const Vec3d&) { return angle / pi + 0.5; }},
+    {{"folded: atan knows half of the directions; atan2 knows all",
+      "`atan2(-z, x)`, not `atan(-z / x)`"},
+     [](double, const Vec3d& d) { return std::atan(-d.z / d.x) / (2 * pi) + 0.5; }},
+    {{"folded: atan over pi covers the map twice; atan2 over 2 pi once", right_u},
+     [](double, const Vec3d& d) { return std::atan(-d.z / d.x) / pi + 0.5; }},
+    {{"folded: acos gives east and west the same u", "`atan2(-z, x)`, not `acos(x)`"},
+     [](double, const Vec3d& d) { return std::acos(d.x / std::hypot(d.x, d.z)) / (2 * pi); }},
+    {{"one column: u was cut to a whole number", "divide and multiply floating-point numbers"},
+     [](double angle, const Vec3d&) { return std::trunc(angle / (2 * pi) + 0.5); }},
+    {{"u is the angle in radians: it was not divided by 2 pi", right_u},
+     [](double angle, const Vec3d&) { return angle; }},
+    {{"u is the angle in degrees", right_u},
+     [](double angle, const Vec3d&) { return angle * 180 / pi; }},
+    {{"the map is projected flat: u was taken from x, without the angle", right_u},
+     [](double, const Vec3d& d) { return (d.x + 1) / 2; }},
+    {{"u is negative on one half: the 1/2 is missing", right_u},
+     [](double angle, const Vec3d&) { return std::abs(angle) / (2 * pi); }},
 };
-constexpr Named of_v[] = {
-    {},
-    {"squeezed at the poles: v was taken from the height, without the angle", ""},
-    {"v covers half of the map: it was divided by 2 pi and not by pi", "`v = acos(-y) / pi`"},
-    {"v reaches 2: it was divided by pi / 2 and not by pi", "`v = acos(-y) / pi`"},
-    {"the south is one row: asin is negative there, and the 1/2 is missing",
-     "`asin(y) / pi + 0.5`"},
-    {"v covers the middle of the map: asin was divided by 2 pi", "`asin(y) / pi + 0.5`"},
-    {"v is the angle in radians: it was not divided by pi", "`v = acos(-y) / pi`"},
-    {"one row: v was cut to a whole number", "divide and multiply floating-point numbers"},
+
+constexpr const char* right_v = "`v = acos(-y) / pi`";
+constexpr const char* right_asin = "`asin(y) / pi + 0.5`";
+constexpr VForm of_v[] = {
+    {{}, [](double v, double) { return v; }},
+    {{"squeezed at the poles: v was taken from the height, without the angle", ""},
+     [](double, double y) { return (y + 1) / 2; }},
+    {{"v covers half of the map: it was divided by 2 pi and not by pi", right_v},
+     [](double v, double) { return v / 2; }},
+    {{"v reaches 2: it was divided by pi / 2 and not by pi", right_v},
+     [](double v, double) { return v * 2; }},
+    {{"the south is one row: asin is negative there, and the 1/2 is missing", right_asin},
+     [](double v, double) { return v - 0.5; }},
+    {{"v covers the middle of the map: asin was divided by 2 pi", right_asin},
+     [](double v, double) { return v / 2 + 0.25; }},
+    {{"v is the angle in radians: it was not divided by pi", right_v},
+     [](double v, double) { return v * pi; }},
+    {{"one row: v was cut to a whole number", "divide and multiply floating-point numbers"},
+     [](double, double) { return 0.0; }},
 };
-constexpr Named of_look[] = {
-    {},
-    {"half a texel off: u n was rounded and not cut off", ""},
-    {"squeezed: (int)((n - 1) u) in place of floor(n u)", "`floor(u * n)`, at most n - 1"},
-    {"u and v are exchanged", "columns by u, rows by v"},
-    {"tiled: u and v are multiplied, or divided by too little", "u and v from 0 to 1"},
-    {"four channels were read as three: each texel has an alpha, too",
-     "the number of channels that the file has, or ask stbi_load for 3"},
-    {"three channels were read as four", "the number of channels that stbi_load was asked for"},
-    {"a row begins after the picture's height of texels, not after its width",
-     "`(row * width + column) * channels`"},
-    {"red and blue are exchanged in the texture", "red is the first byte"},
-    {"the channels of the texture are in the wrong order: green, blue, red", "red, green, blue"},
-    {"the channels of the texture are in the wrong order: blue, red, green", "red, green, blue"},
-    {"gray: one channel of the texture was taken for all three", "each channel its own byte"},
-    {"bytes from 128 on are negative: they were read as signed", "`unsigned char`"},
-    {"the texture is too dark: its bytes were decoded and never encoded again", ""},
-    {"the texture is too pale: its bytes were encoded twice", ""},
-    {"black texture: the file was not loaded, and the program did not check", ""},
-    {"bytes were divided as whole numbers: only 255 is not 0", "`byte / 255.0`"},
-    {"white texture: it is missing", "the texel in place of white"},
-    {"(u, v) as colors: the picture of an earlier step", "the texel at (u, v)"},
-    {"half a texel off: u n was rounded and not cut off, v n was", ""},
-    {"half a texel off: v n was rounded and not cut off, u n was", ""},
-    {"squeezed: (int)((n - 1) u) in place of floor(n u)", "`floor(u * n)`, at most n - 1"},
+
+/// The column and the row from the bottom, before they are limited to the image.
+Uv<double> texel_at(const Uv<double>& uv, double columns, double rows) {
+  return {std::floor(uv.u * columns), std::floor(uv.v * rows)};
+}
+constexpr const char* squeezed = "squeezed: (int)((n - 1) u) in place of floor(n u)";
+constexpr Texel of_texel[] = {
+    {{}, texel_at},
+    {{"half a texel off: u n was rounded and not cut off", ""},
+     [](const Uv<double>& uv, double columns, double rows) -> Uv<double> {
+       return {std::round(uv.u * columns), std::round(uv.v * rows)};
+     }},
+    {{"half a texel off: u n was rounded and not cut off, v n was", ""},
+     [](const Uv<double>& uv, double columns, double rows) -> Uv<double> {
+       return {std::round(uv.u * columns), std::floor(uv.v * rows)};
+     }},
+    {{"half a texel off: v n was rounded and not cut off, u n was", ""},
+     [](const Uv<double>& uv, double columns, double rows) -> Uv<double> {
+       return {std::floor(uv.u * columns), std::round(uv.v * rows)};
+     }},
+    {{squeezed, "`floor(u * n)`, at most n - 1"},
+     [](const Uv<double>& uv, double columns, double rows) {
+       return texel_at(uv, columns - 1, rows - 1);
+     }},
+    {{squeezed, "`floor(u * n)`, at most n - 1"},  // with rows from the top
+     [](const Uv<double>& uv, double columns, double rows) -> Uv<double> {
+       return {uv.u * (columns - 1), rows - 1 - std::floor((1 - uv.v) * (rows - 1))};
+     }},
+    {{"u and v are exchanged", "columns by u, rows by v"},
+     [](const Uv<double>& uv, double columns, double rows) {
+       return texel_at({uv.v, uv.u}, columns, rows);
+     }},
+    {{"tiled: u and v are multiplied, or divided by too little", "u and v from 0 to 1"},
+     [](const Uv<double>& uv, double columns, double rows) {
+       const auto part = [](double x) { return 2 * x - std::floor(2 * x); };
+       return texel_at({part(uv.u), part(uv.v)}, columns, rows);
+     }},
 };
-constexpr Named of_squares[] = {
-    {},
-    {"every square has the other color: the two colors, or an odd number in the sum",
-     "`(floor(10 u) + floor(10 v)) % 2 == 0` is the first color"},
-    {"half as many squares: 5 for 10, or u and v only reach 1/2", "`floor(10 * u)`"},
-    {"twice as many squares: 20 for 10, or u and v reach 2", "`floor(10 * u)`"},
-    {"stripes from pole to pole: v is not used", "`floor(10 u) + floor(10 v)`"},
-    {"stripes around: u is not used", "`floor(10 u) + floor(10 v)`"},
-    {"slanted stripes: the sum was cut off, and not u and v", "`floor(10 u) + floor(10 v)`"},
-    {"three of four squares are alike: the product of column and row, and not their sum",
-     "`floor(10 u) + floor(10 v)`"},
-    {"half as many squares in v", "10 in u and in v"},
-    {"half as many squares in u", "10 in u and in v"},
-    {"squares are moved by half: their numbers were rounded", "`floor`, not `round`"},
+
+Rgb color_of(const Rgb8& p) { return {p.r / 255.0, p.g / 255.0, p.b / 255.0}; }
+Rgb texel_color(const Image& image, const Spot& at) {
+  return color_of(image.at(at.column, at.row));
+}
+
+/// A byte of the file in memory, three a texel; 0 beyond its end.
+std::uint8_t byte_at(const Image& image, std::size_t at) {
+  if (at >= 3 * image.pixels.size()) return 0;
+  const Rgb8& p = image.pixels[at / 3];
+  return at % 3 == 0 ? p.r : at % 3 == 1 ? p.g : p.b;
+}
+/// The number of a texel where rows are so wide.
+std::size_t number_of(const Spot& at, int width) {
+  return static_cast<std::size_t>(at.row) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(at.column);
+}
+template <class Change>
+Rgb each(const Rgb& c, const Change& change) {
+  return {change(c.r), change(c.g), change(c.b)};
+}
+
+constexpr const char* in_order = "red, green, blue";
+constexpr Reading of_reading[] = {
+    {{}, texel_color},
+    {{"four channels were read as three: each texel has an alpha, too",
+      "the number of channels that the file has, or ask stbi_load for 3"},
+     [](const Image& image, const Spot& at) {
+       const std::size_t first = 3 * number_of(at, image.width);
+       const auto of_four = [&](std::size_t i) {
+         return i % 4 == 3 ? std::uint8_t{255} : byte_at(image, i / 4 * 3 + i % 4);
+       };
+       return color_of({of_four(first), of_four(first + 1), of_four(first + 2)});
+     }},
+    {{"three channels were read as four", "the number of channels that stbi_load was asked for"},
+     [](const Image& image, const Spot& at) {
+       const std::size_t first = 4 * number_of(at, image.width);
+       return color_of(
+           {byte_at(image, first), byte_at(image, first + 1), byte_at(image, first + 2)});
+     }},
+    {{"a row begins after the picture's height of texels, not after its width",
+      "`(row * width + column) * channels`"},
+     [](const Image& image, const Spot& at) {
+       const std::size_t first = 3 * number_of(at, image.height);
+       return color_of(
+           {byte_at(image, first), byte_at(image, first + 1), byte_at(image, first + 2)});
+     }},
+    {{"red and blue are exchanged in the texture", "red is the first byte"},
+     [](const Image& image, const Spot& at) {
+       const Rgb c = texel_color(image, at);
+       return Rgb{c.b, c.g, c.r};
+     }},
+    {{"the channels of the texture are in the wrong order: green, blue, red", in_order},
+     [](const Image& image, const Spot& at) {
+       const Rgb c = texel_color(image, at);
+       return Rgb{c.g, c.b, c.r};
+     }},
+    {{"the channels of the texture are in the wrong order: blue, red, green", in_order},
+     [](const Image& image, const Spot& at) {
+       const Rgb c = texel_color(image, at);
+       return Rgb{c.b, c.r, c.g};
+     }},
+    {{"gray: one channel of the texture was taken for all three", "each channel its own byte"},
+     [](const Image& image, const Spot& at) { return gray(texel_color(image, at).r); }},
+    {{"bytes from 128 on are negative: they were read as signed", "`unsigned char`"},
+     [](const Image& image, const Spot& at) {
+       return each(texel_color(image, at),
+                   [](double x) { return x > 127.5 / 255 ? x - 256 / 255.0 : x; });
+     }},
+    {{"the texture is too dark: its bytes were decoded and never encoded again", ""},
+     [](const Image& image, const Spot& at) {
+       return each(texel_color(image, at), srgb_decode<double>);
+     }},
+    {{"the texture is too pale: its bytes were encoded twice", ""},
+     [](const Image& image, const Spot& at) {
+       return each(texel_color(image, at), srgb_encode<double>);
+     }},
+    {{"black texture: the file was not loaded, and the program did not check", ""},
+     [](const Image&, const Spot&) { return Rgb{}; }},
+    {{"bytes were divided as whole numbers: only 255 is not 0", "`byte / 255.0`"},
+     [](const Image& image, const Spot& at) {
+       return each(texel_color(image, at), [](double x) { return std::floor(x); });
+     }},
+    {{"white texture: it is missing", "the texel in place of white"},
+     [](const Image&, const Spot&) {
+       return Rgb{1, 1, 1};
+     }},
+    {{"(u, v) as colors: the picture of an earlier step", "the texel at (u, v)"},
+     [](const Image&, const Spot& at) {
+       return Rgb{at.uv.u, at.uv.v, 0};
+     }},
 };
-constexpr Named of_bytes[] = {
-    {},
-    {"too dark: light was written without the curve of image files", ""},
-    {"too pale: the curve of image files was applied once too often", ""},
-    {"stained: channels above 1 begin at 0 again, since a byte overflows",
-     "`clamp(channel, 0, 1)` before it becomes a byte"},
-    {"red and blue are exchanged in the whole picture", "red is the first byte"},
-    {"the channels of the whole picture are in the wrong order: green, blue, red",
-     "red, green, blue"},
-    {"the channels of the whole picture are in the wrong order: blue, red, green",
-     "red, green, blue"},
-    {"too pale: the power 1/2.2 of image files was applied once too often", ""},
-    {"too pale: the square root was applied once too often", ""},
-    {"too dark: light was written without the curve of image files, or its power 2.2 was taken",
-     ""},
-    {"inverted: each channel is 255 minus what it should be", "`255 * channel`"},
+
+bool is_odd(double x) { return x - 2 * std::floor(x / 2) != 0; }
+bool is_odd_square(double u, double v) { return is_odd(std::floor(u) + std::floor(v)); }
+constexpr const char* both_floors = "`floor(10 u) + floor(10 v)`";
+constexpr IsOdd of_squares[] = {
+    {{}, is_odd_square},
+    {{"every square has the other color: the two colors, or an odd number in the sum",
+      "`(floor(10 u) + floor(10 v)) % 2 == 0` is the first color"},
+     [](double u, double v) { return !is_odd_square(u, v); }},
+    {{"half as many squares: 5 for 10, or u and v only reach 1/2", "`floor(10 * u)`"},
+     [](double u, double v) { return is_odd_square(u / 2, v / 2); }},
+    {{"twice as many squares: 20 for 10, or u and v reach 2", "`floor(10 * u)`"},
+     [](double u, double v) { return is_odd_square(u * 2, v * 2); }},
+    {{"stripes from pole to pole: v is not used", both_floors},
+     [](double u, double) { return is_odd(std::floor(u)); }},
+    {{"stripes around: u is not used", both_floors},
+     [](double, double v) { return is_odd(std::floor(v)); }},
+    {{"slanted stripes: the sum was cut off, and not u and v", both_floors},
+     [](double u, double v) { return is_odd(std::floor(u + v)); }},
+    {{"three of four squares are alike: the product of column and row, and not their sum",
+      both_floors},
+     [](double u, double v) { return is_odd(std::floor(u) * std::floor(v)); }},
+    {{"half as many squares in v", "10 in u and in v"},
+     [](double u, double v) { return is_odd_square(u, v / 2); }},
+    {{"half as many squares in u", "10 in u and in v"},
+     [](double u, double v) { return is_odd_square(u / 2, v); }},
+    {{"squares are moved by half: their numbers were rounded", "`floor`, not `round`"},
+     [](double u, double v) { return is_odd(std::round(u) + std::round(v)); }},
 };
+
+Rgb8 bytes_of_color(const Rgb& c) { return {byte_of(c.r), byte_of(c.g), byte_of(c.b)}; }
+double limited(double x) { return std::clamp(x, 0.0, 1.0); }
+constexpr Bytes of_bytes[] = {
+    {{}, bytes_of_color},
+    {{"too dark: light was written without the curve of image files", ""},
+     [](const Rgb& c) {
+       return bytes_of_color(each(c, [](double x) { return srgb_decode(limited(x)); }));
+     }},
+    {{"too pale: the curve of image files was applied once too often", ""},
+     [](const Rgb& c) {
+       return bytes_of_color(each(c, [](double x) { return srgb_encode(limited(x)); }));
+     }},
+    {{"too pale: the power 1/2.2 of image files was applied once too often", ""},
+     [](const Rgb& c) {
+       return bytes_of_color(each(c, [](double x) { return std::pow(limited(x), 1 / 2.2); }));
+     }},
+    {{"too pale: the square root was applied once too often", ""},
+     [](const Rgb& c) {
+       return bytes_of_color(each(c, [](double x) { return std::sqrt(limited(x)); }));
+     }},
+    {{"too dark: light was written without the curve of image files, or its power 2.2 was taken",
+      ""},
+     [](const Rgb& c) {
+       return bytes_of_color(each(c, [](double x) { return std::pow(limited(x), 2.2); }));
+     }},
+    {{"stained: channels above 1 begin at 0 again, since a byte overflows",
+      "`clamp(channel, 0, 1)` before it becomes a byte"},
+     [](const Rgb& c) {
+       const auto byte = [](double x) {
+         return static_cast<std::uint8_t>(static_cast<long>(std::abs(x) < 1e6 ? 255 * x : 0));
+       };
+       return Rgb8{byte(c.r), byte(c.g), byte(c.b)};
+     }},
+    {{"red and blue are exchanged in the whole picture", "red is the first byte"},
+     [](const Rgb& c) {
+       return bytes_of_color({c.b, c.g, c.r});
+     }},
+    {{"the channels of the whole picture are in the wrong order: green, blue, red", in_order},
+     [](const Rgb& c) {
+       return bytes_of_color({c.g, c.b, c.r});
+     }},
+    {{"the channels of the whole picture are in the wrong order: blue, red, green", in_order},
+     [](const Rgb& c) {
+       return bytes_of_color({c.b, c.r, c.g});
+     }},
+    {{"inverted: each channel is 255 minus what it should be", "`255 * channel`"},
+     [](const Rgb& c) {
+       const auto inverse = [](double x) { return static_cast<std::uint8_t>(255 - byte_of(x)); };
+       return Rgb8{inverse(c.r), inverse(c.g), inverse(c.b)};
+     }},
+};
+
 constexpr Named of_flip[] = {
     {},
     {"the whole picture is mirrored: columns run the other way", "columns from the left"},
@@ -191,13 +383,11 @@ std::vector<const mistakes::LightMistake*> light_slips(const StageView& stage) {
   return all;
 }
 
-/// Which row of each table, 0 for right; `degrees` is an angle.
+/// Which row of each table, 0 for right; `degrees` is an angle, and `light` a row of light_slips.
 struct Way {
   std::array<int, places> row{};
   bool on_squares = true;  ///< whether the slips of (u, v) reach the checkerboards
 };
-
-double whole(double x) { return std::trunc(x); }
 
 Vec3d axes_of(const Way& way, const Vec3d& d) {
   Vec3d p = way.row[pole] == 1   ? Vec3d{d.z, d.x, d.y}
@@ -209,158 +399,9 @@ Vec3d axes_of(const Way& way, const Vec3d& d) {
   return p;
 }
 
-double u_of(int form, const Vec3d& p) {
-  const double angle = std::atan2(-p.z, p.x);
-  switch (form) {
-    case 1:
-      return angle / (2 * pi);
-    case 2:
-      return angle / pi + 0.5;
-    case 3:
-      return std::atan(-p.z / p.x) / (2 * pi) + 0.5;
-    case 4:
-      return std::atan(-p.z / p.x) / pi + 0.5;
-    case 5:
-      return std::acos(p.x / std::hypot(p.x, p.z)) / (2 * pi);
-    case 6:
-      return whole(angle / (2 * pi) + 0.5);
-    case 7:
-      return angle;
-    case 8:
-      return angle * 180 / pi;
-    case 9:
-      return (p.x + 1) / 2;
-    case 10:
-      return std::abs(angle) / (2 * pi);
-    default:
-      return angle / (2 * pi) + 0.5;
-  }
-}
-
-double v_of(int form, double y) {
-  const double v = std::acos(std::clamp(-y, -1.0, 1.0)) / pi;
-  switch (form) {
-    case 1:
-      return (y + 1) / 2;
-    case 2:
-      return v / 2;
-    case 3:
-      return v * 2;
-    case 4:
-      return v - 0.5;
-    case 5:
-      return v / 2 + 0.25;
-    case 6:
-      return v * pi;
-    case 7:
-      return 0;
-    default:
-      return v;
-  }
-}
-
-Rgb color_of(const Rgb8& p) { return {p.r / 255.0, p.g / 255.0, p.b / 255.0}; }
-
-/// The texel as a slip reads it.
-Rgb texel_of(int form, const Image& image, Uv<double> uv) {
-  if (form == 18) return {uv.u, uv.v, 0};
-  if (form == 3) std::swap(uv.u, uv.v);
-  if (form == 4) uv = {2 * uv.u - std::floor(2 * uv.u), 2 * uv.v - std::floor(2 * uv.v)};
-  const auto number = [](double x) { return std::isnan(x) ? 0.0 : x; };
-  const auto limited = [](double x, int n) {
-    return static_cast<int>(std::clamp(x, 0.0, n - 1.0));
-  };
-  const bool less = form == 2 || form == 21;
-  const double u = number(uv.u) * (image.width - (less ? 1 : 0));
-  const double v = number(form == 21 ? 1 - uv.v : uv.v) * (image.height - (less ? 1 : 0));
-  const int column = limited(form == 1 || form == 19 ? std::round(u) : std::floor(u), image.width);
-  const int up = limited(form == 1 || form == 20 ? std::round(v) : std::floor(v), image.height);
-  const int row = form == 21 ? up : image.height - 1 - up;
-  const Rgb8& p = image.at(column, row);
-  const auto byte = [&image](std::size_t i, std::size_t channels, std::size_t channel) {
-    const std::size_t at = channels * i + channel;
-    if (at >= 3 * image.pixels.size()) return std::uint8_t{0};
-    const Rgb8& texel = image.pixels[at / 3];
-    return at % 3 == 0 ? texel.r : at % 3 == 1 ? texel.g : texel.b;
-  };
-  const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                 static_cast<std::size_t>(column);
-  switch (form) {
-    case 5: {  // three bytes a texel, of four
-      const auto of_four = [&](std::size_t at) {
-        return at % 4 == 3 ? std::uint8_t{255} : byte(at / 4, 3, at % 4);
-      };
-      return color_of({of_four(3 * i), of_four(3 * i + 1), of_four(3 * i + 2)});
-    }
-    case 6:
-      return color_of({byte(i, 4, 0), byte(i, 4, 1), byte(i, 4, 2)});
-    case 7: {
-      const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.height) +
-                      static_cast<std::size_t>(column);
-      return color_of({byte(at, 3, 0), byte(at, 3, 1), byte(at, 3, 2)});
-    }
-    case 8:
-      return color_of({p.b, p.g, p.r});
-    case 9:
-      return color_of({p.g, p.b, p.r});
-    case 10:
-      return color_of({p.b, p.r, p.g});
-    case 11:
-      return color_of({p.r, p.r, p.r});
-    case 12: {
-      const auto signed_byte = [](std::uint8_t b) { return (b < 128 ? b : b - 256) / 255.0; };
-      return {signed_byte(p.r), signed_byte(p.g), signed_byte(p.b)};
-    }
-    case 13: {
-      const Rgb c = color_of(p);
-      return {srgb_decode(c.r), srgb_decode(c.g), srgb_decode(c.b)};
-    }
-    case 14: {
-      const Rgb c = color_of(p);
-      return {srgb_encode(c.r), srgb_encode(c.g), srgb_encode(c.b)};
-    }
-    case 15:
-      return {};
-    case 16:
-      return {p.r < 255 ? 0.0 : 1.0, p.g < 255 ? 0.0 : 1.0, p.b < 255 ? 0.0 : 1.0};
-    case 17:
-      return {1, 1, 1};
-    default:
-      return color_of(p);
-  }
-}
-
-Rgb square_of(int form, const Checkerboard& board, const Uv<double>& uv) {
-  const double n = board.squares * (form == 2 ? 0.5 : form == 3 ? 2 : 1);
-  const double u = uv.u * n * (form == 9 ? 0.5 : 1), v = uv.v * n * (form == 8 ? 0.5 : 1);
-  const auto parity = [](double x) { return x - 2 * std::floor(x / 2) != 0; };
-  const double column = form == 10 ? std::round(u) : std::floor(u);
-  const double row = form == 10 ? std::round(v) : std::floor(v);
-  bool odd = parity(column + row);
-  if (form == 1) odd = !odd;
-  if (form == 4) odd = parity(column);
-  if (form == 5) odd = parity(row);
-  if (form == 6) odd = parity(std::floor(u + v));
-  if (form == 7) odd = parity(column * row);
-  return odd ? board.odd : board.even;
-}
-
-Rgb8 bytes_of(int form, const Rgb& c) {
-  const auto byte = [form](double x) -> std::uint8_t {
-    if (form == 1) x = srgb_decode(std::clamp(x, 0.0, 1.0));
-    if (form == 2) x = srgb_encode(std::clamp(x, 0.0, 1.0));
-    if (form == 3)
-      return static_cast<std::uint8_t>(static_cast<long>(std::abs(x) < 1e6 ? 255 * x : 0));
-    if (form == 7 || form == 8) x = std::pow(std::clamp(x, 0.0, 1.0), form == 7 ? 1 / 2.2 : 0.5);
-    if (form == 9) x = std::pow(std::clamp(x, 0.0, 1.0), 2.2);
-    const std::uint8_t b = byte_of(x);
-    return form == 10 ? static_cast<std::uint8_t>(255 - b) : b;
-  };
-  const Rgb8 p{byte(c.r), byte(c.g), byte(c.b)};
-  return form == 4   ? Rgb8{p.b, p.g, p.r}
-         : form == 5 ? Rgb8{p.g, p.b, p.r}
-         : form == 6 ? Rgb8{p.b, p.r, p.g}
-                     : p;
+template <class Table>
+std::vector<Named> names_of(const Table& table) {
+  return {std::begin(table), std::end(table)};
 }
 
 /// The search for a picture's slips.
@@ -368,7 +409,13 @@ class Search {
  public:
   Search(const Image& drawn, const StageView& stage)
       : drawn_(drawn), stage_(stage), lights_(light_slips(stage)) {
-    for (const Seen& seen : stage.pixels) right_.push_back(texmap::slips::bytes_of(0, seen.color));
+    names_[degrees].resize(4);
+    for (const auto* one : lights_) names_[light].push_back({one == nullptr ? "" : one->words, ""});
+    if (stage.picture.pixels.empty()) {
+      names_[texel].resize(1);
+      names_[reading].resize(1);
+    }
+    for (const Seen& seen : stage.pixels) right_.push_back(bytes_of_color(seen.color));
     // What tells slips apart best is what is not right.
     std::vector<std::size_t> wrong, all;
     for (std::size_t i = 0; i < stage.pixels.size(); ++i) {
@@ -440,13 +487,13 @@ class Search {
 
   [[nodiscard]] Rgb8 color(const Way& way, const Seen& seen) const {
     const auto& row = way.row;
-    if (!seen.lit) return texmap::slips::bytes_of(row[bytes], seen.color);
+    if (!seen.lit) return of_bytes[row[bytes]].calculate(seen.color);
     mistakes::Lit lit = *seen.lit;
-    if (row[turned] == 5) {  // the far side is then in the shadow of its own sphere
+    if (row[turned] == inward) {  // the far side is then in the shadow of its own sphere
       lit.normal = -lit.normal;
       lit.light.cosine = 0;
     }
-    if (row[turned] == 6) {
+    if (row[turned] == undivided) {
       lit.normal = lit.normal * seen.radius;
       lit.light.cosine *= seen.radius;
     }
@@ -455,25 +502,25 @@ class Search {
       const RotationY back{stage_.turn.cosine, -stage_.turn.sine};
       const bool reached = !seen.on_checkers || way.on_squares;
       if (reached && row[turned] != 0 && !seen.on_checkers) {
-        if (row[turned] == 1) d = back(d);
-        if (row[turned] == 2) d = back(back(d));
-        if (row[turned] == 3) d = stage_.turn(d);
+        if (row[turned] == not_turned) d = back(d);
+        if (row[turned] == other_way) d = back(back(d));
+        if (row[turned] == twice) d = stage_.turn(d);
       }
-      if (reached && row[turned] == 4) d = normalize(lit.lamp - lit.to_lamp);
-      if (reached && row[turned] == 5) d = -d;
-      if (reached && row[turned] == 6) d.y *= seen.radius;
+      if (reached && row[turned] == from_origin) d = normalize(lit.lamp - lit.to_lamp);
+      if (reached && row[turned] == inward) d = -d;
+      if (reached && row[turned] == undivided) d.y *= seen.radius;
       if (reached) d = axes_of(way, d);
-      const Uv<double> uv{u_of(reached ? row[u_form] : 0, d), v_of(reached ? row[v_form] : 0, d.y)};
-      lit.color = seen.on_checkers ? square_of(row[squares], stage_.checkers, uv)
-                                   : texel_of(row[look], stage_.picture, uv);
+      const double angle = std::atan2(-d.z, d.x);
+      const double v = std::acos(std::clamp(-d.y, -1.0, 1.0)) / pi;
+      const Uv<double> uv{of_u[reached ? row[u_form] : 0].calculate(angle, d),
+                          of_v[reached ? row[v_form] : 0].calculate(v, d.y)};
+      lit.color = seen.on_checkers ? square(row[squares], uv) : in_picture(way, uv);
     }
-    const auto* light_slip = lights_[static_cast<std::size_t>(row[light])];
-    return texmap::slips::bytes_of(row[bytes],
-                                   light_slip == nullptr ? lit.right() : light_slip->shade(lit));
+    const auto* slip = lights_[static_cast<std::size_t>(row[light])];
+    return of_bytes[row[bytes]].calculate(slip == nullptr ? lit.right() : slip->shade(lit));
   }
 
   [[nodiscard]] Slip slip(int place, int row) const {
-    if (place == light) return {lights_[static_cast<std::size_t>(row)]->words, ""};
     if (place == degrees) {
       const std::string end = ": u begins at another place, or the globe is turned";
       if (row == 180) {
@@ -483,40 +530,27 @@ class Search {
       if (row % 90 == 0) return {"a quarter turn off" + end, ""};
       return {text("turned by %d degrees", row) + end, ""};
     }
-    const Named& named = names(place)[static_cast<std::size_t>(row)];
+    const Named& named = names_[static_cast<std::size_t>(place)][static_cast<std::size_t>(row)];
     return {named.words, named.change};
   }
 
  private:
-  static std::span<const Named> names(int place) {
-    switch (place) {
-      case turned:
-        return of_turned;
-      case pole:
-        return of_pole;
-      case mirrored:
-        return of_mirrored;
-      case upside:
-        return of_upside;
-      case u_form:
-        return of_u;
-      case v_form:
-        return of_v;
-      case look:
-        return of_look;
-      case squares:
-        return of_squares;
-      case bytes:
-        return of_bytes;
-      default:
-        return of_flip;
-    }
-  }
   [[nodiscard]] int rows(int place) const {
-    if (place == degrees) return 4;
-    if (place == light) return static_cast<int>(lights_.size());
-    if (place == look && stage_.picture.pixels.empty()) return 1;
-    return static_cast<int>(names(place).size());
+    return static_cast<int>(names_[static_cast<std::size_t>(place)].size());
+  }
+  [[nodiscard]] Rgb square(int row, const Uv<double>& uv) const {
+    const Checkerboard& board = stage_.checkers;
+    const bool odd = of_squares[row].calculate(uv.u * board.squares, uv.v * board.squares);
+    return odd ? board.odd : board.even;
+  }
+  [[nodiscard]] Rgb in_picture(const Way& way, const Uv<double>& uv) const {
+    const Image& image = stage_.picture;
+    const Uv<double> from = of_texel[way.row[texel]].calculate(uv, image.width, image.height);
+    const auto inside = [](double x, int n) {  // NaN gives 0
+      return x > 0 ? static_cast<int>(std::min(x, n - 1.0)) : 0;
+    };
+    const Spot at{inside(from.u, image.width), image.height - 1 - inside(from.v, image.height), uv};
+    return of_reading[way.row[reading]].calculate(image, at);
   }
   [[nodiscard]] Rgb8 at(const Way& way, const Seen& seen) const {
     const int form = way.row[flip];
@@ -532,7 +566,7 @@ class Search {
       Way way = chosen;
       way.on_squares = on_squares;
       const bool moves =
-          std::any_of(way.row.begin(), way.row.begin() + look, [](int r) { return r != 0; });
+          std::any_of(way.row.begin(), way.row.begin() + texel, [](int r) { return r != 0; });
       if (!on_squares && (!moves || stage_.picture.pixels.empty())) return;
       double missed = 0, limit = 4;
       for (const std::size_t i : probes_) {
@@ -551,6 +585,20 @@ class Search {
   const Image& drawn_;
   const StageView& stage_;
   std::vector<const mistakes::LightMistake*> lights_;
+  std::array<std::vector<Named>, places> names_{// of each place's rows
+                                                names_of(of_turned),
+                                                names_of(of_pole),
+                                                names_of(of_mirrored),
+                                                {},
+                                                names_of(of_upside),
+                                                names_of(of_u),
+                                                names_of(of_v),
+                                                names_of(of_texel),
+                                                names_of(of_reading),
+                                                names_of(of_squares),
+                                                {},
+                                                names_of(of_bytes),
+                                                names_of(of_flip)};
   std::vector<Rgb8> right_;
   std::vector<std::size_t> probes_;
 };
