@@ -16,7 +16,10 @@ case "$*" in
   --preset*) mkdir -p build/learn/bin && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/learn/CMakeCache.txt && echo gallery: >build/learn/Makefile ;;
   *13_speed*) sh -c 'n=0; while [ $((n += 1)) -le "$BESIDE" ]; do : >alive; sleep 0.1; done' && echo "warning: beside" ;;
   *draw_02*) sleep 0.5 && echo "drawn or not" && exit "$LESSON" ;;
-  --build*) : >made; printf '#!/bin/sh\necho drawn\n' >build/learn/bin/01_plain_spheres && chmod +x build/learn/bin/01_plain_spheres ;;
+  --build*)
+    : >made
+    printf '#!/bin/sh\necho drawn\n' >build/learn/bin/01_plain_spheres && chmod +x build/learn/bin/01_plain_spheres
+    ;;
   --version) echo "cmake version 3.25.1" ;;
 esac
 END_OF_TOOL

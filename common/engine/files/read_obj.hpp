@@ -49,12 +49,12 @@ struct Material {
 /// Errors: FileError `line N: why`, for lines that are too long or no text.
 [[nodiscard]] std::map<std::string, Material> read_mtl(std::string_view text);
 
-/// The same of a file, with the pictures beside it.
+/// The materials of a file. The names of their pictures become paths, relative to that file.
 /// Errors: FileError `cannot load materials 'F': why`; std::bad_alloc.
 [[nodiscard]] std::map<std::string, Material> load_mtl(const std::filesystem::path& path);
 
-/// A file that another one names: there or, as authors also write folders of their own machine, in
-/// the same folder as the other one.
+/// The file that another one names. Some programs write folders of their own machine: where there
+/// is no such file, it is looked for in the folder of the other one.
 [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& file, std::string name);
 
 /// The mesh in a file of 1 byte to 64 MiB.

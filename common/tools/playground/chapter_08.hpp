@@ -47,12 +47,11 @@ struct TriangleUv {
     }
     figure.dot(x({}), y({}), "accent");
     const Uv<double> uv = lesson.paint.mapping(hit);
-    if (!std::isnan(uv.u)) {
-      rows.push_back(fact({"u", hit.a, " · ", uvs[0].u, " + ", hit.b, " · ", uvs[1].u, " + ", hit.c,
-                           " · ", uvs[2].u, " = ", uv.u}));
-      rows.push_back(fact({"v", hit.a, " · ", uvs[0].v, " + ", hit.b, " · ", uvs[1].v, " + ", hit.c,
-                           " · ", uvs[2].v, " = ", uv.v}));
-    }
+    const auto add_mix = [&](const char* name, double Uv<double>::*part) {
+      rows.push_back(fact({name, hit.a, " · ", uvs[0].*part, " + ", hit.b, " · ", uvs[1].*part,
+                           " + ", hit.c, " · ", uvs[2].*part, " = ", uv.*part}));
+    };
+    if (!std::isnan(uv.u)) add_mix("u", &Uv<double>::u), add_mix("v", &Uv<double>::v);
     const auto light =
         sample_light(lesson.stage.light, others(mesh, hit), hit, lesson.scene.normal);
     const Color<double> paint = lesson.paint(hit);

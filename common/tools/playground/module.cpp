@@ -120,8 +120,8 @@ EXPORTED(begin) const char* begin(int chapter) {
   });
 }
 
-/// Sets the options; returns columns, rows, passes, columns and rows of the picture beside, and
-/// then, a line each, what there is to say about the files.
+/// Sets the options. Returns the picture's columns, rows and passes, and the columns and rows of
+/// the second picture. Then follow the notes on the files, a line each.
 EXPORTED(set) const char* set(const char* words, int widest) {
   return answer([&] {
     lesson->set(words_of(words), widest);
