@@ -195,6 +195,6 @@ TEST_CASE("a mesh has the pictures and colors of its materials; --texture replac
   }
   MeshHit<Pack<double>> hits;  // each lane has its own material
   hits.triangle = from_lanes<Pack<double>>([](std::size_t i) { return double(i % 6); });
-  const auto red = all_lanes(lesson.paint(hits).r);
-  for (std::size_t i = 0; i < red.size(); ++i) CHECK(red[i] == colors[i % 6].r);
+  const auto of_lanes = all_lanes(lesson.paint(hits).r);
+  for (std::size_t i = 0; i < of_lanes.size(); ++i) CHECK(of_lanes[i] == colors[i % 6].r);
 }
