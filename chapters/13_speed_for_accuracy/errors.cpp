@@ -15,8 +15,8 @@
 #include "engine/compare/difference.hpp"
 #include "engine/draw/develop.hpp"
 #include "engine/draw/threads.hpp"
+#include "errors.hpp"
 #include "math/srgb.hpp"
-#include "ways.hpp"
 
 namespace texmap::chapter_13 {
 namespace {

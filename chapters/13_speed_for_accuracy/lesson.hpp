@@ -4,7 +4,9 @@
 #include "engine/run/command_line.hpp"
 #include "engine/run/session.hpp"
 #include "engine/run/texture_file.hpp"
-#include "ways.hpp"
+#include "errors.hpp"
+#include "measure.hpp"
+#include "report.hpp"
 
 namespace texmap::chapter_13 {
 

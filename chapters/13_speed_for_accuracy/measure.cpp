@@ -3,7 +3,8 @@
 #include <stdexcept>
 
 #include "engine/files/text.hpp"
-#include "ways.hpp"
+#include "errors.hpp"
+#include "measure.hpp"
 
 namespace texmap::chapter_13 {
 namespace {

@@ -6,7 +6,9 @@
 #include "engine/fast/kernel_plan.hpp"
 #include "engine/files/json.hpp"
 #include "engine/files/text.hpp"
-#include "ways.hpp"
+#include "errors.hpp"
+#include "measure.hpp"
+#include "report.hpp"
 
 namespace texmap::chapter_13 {
 namespace {

@@ -1,5 +1,6 @@
 // Runs the lesson: says how far it is, prints the tables, and writes plots, figures and the sheet.
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "engine/compare/difference.hpp"
@@ -11,6 +12,7 @@
 #include "engine/run/budget_options.hpp"
 #include "engine/run/command_line.hpp"
 #include "lesson.hpp"
+#include "show.hpp"
 
 namespace texmap::chapter_13 {
 namespace {
@@ -145,10 +147,6 @@ struct Phases {
 
 }  // namespace
 
-View<> view_of_sheet(const Globe& globe, int width, int height) {
-  return Sheet(globe, width, height, 0, {}).view;
-}
-
 Image draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
   using enum NumberKind;
   Sheet sheet(globe, width, height, threads, tick);
@@ -158,6 +156,10 @@ Image draw_sheet(const Globe& globe, int width, int height, int threads, const T
   sheet.add_samplers();
   sheet.add_legend();
   return sheet.image;
+}
+
+View<> view_of_sheet(const Globe& globe, int width, int height) {
+  return Sheet(globe, width, height, 0, {}).view;
 }
 
 std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "13_speed_for_accuracy/lesson.hpp"
+#include "13_speed_for_accuracy/show.hpp"
 #include "engine/files/text.hpp"
 #include "engine/run/run_chapter.hpp"
 #include "support/shown_values.hpp"

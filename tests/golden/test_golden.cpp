@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "13_speed_for_accuracy/lesson.hpp"
+#include "13_speed_for_accuracy/show.hpp"
 #include "engine/files/load_image.hpp"
 #include "engine/files/save_png.hpp"
 #include "support/pictures.hpp"

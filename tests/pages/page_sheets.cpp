@@ -12,6 +12,7 @@
 #include "09_texture_filtering/lesson.hpp"
 #include "10_projections/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
+#include "13_speed_for_accuracy/show.hpp"
 #include "14_numerical_extremes/lesson.hpp"
 #include "engine/files/sheet.hpp"
 #include "engine/run/run_chapter.hpp"

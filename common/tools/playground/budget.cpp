@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "13_speed_for_accuracy/ways.hpp"
+#include "13_speed_for_accuracy/errors.hpp"
+#include "13_speed_for_accuracy/measure.hpp"
+#include "13_speed_for_accuracy/report.hpp"
 #include "engine/files/decode_image.hpp"
 #include "engine/files/json.hpp"
 #include "exported.hpp"
