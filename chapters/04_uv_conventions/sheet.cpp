@@ -41,10 +41,10 @@ Image flat_map(int width, const std::function<Rgb(const Vec3<double>&)>& color_a
 
 }  // namespace
 
-Image sheet_of_conventions(const Session& session, const DrawGlobe& draw_globe) {
+SheetImage sheet_of_conventions(const Session& session, const DrawGlobe& draw_globe) {
   const int width = session.settings.width;
   const int height = session.settings.height;
-  Image sheet(width, height, {255, 255, 255});
+  SheetImage sheet(width, height, {255, 255, 255});
   const Image labels = TextureFile{"uv_map.png"}.load();
   const int scale = std::max(1, width / 800);
   const int line = 12 * scale;

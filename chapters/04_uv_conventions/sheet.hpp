@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 
+#include "engine/files/sheet_image.hpp"
 #include "engine/run/session.hpp"
 #include "texture/conventions.hpp"
 
@@ -14,11 +15,11 @@ namespace texmap::chapter_04 {
 using DrawGlobe = std::function<Image(Convention convention, int width, int height)>;
 
 /// The sheet, as large as the session's picture. The flat maps use the published formulas.
-[[nodiscard]] Image sheet_of_conventions(const Session& session, const DrawGlobe& draw_globe);
+[[nodiscard]] SheetImage sheet_of_conventions(const Session& session, const DrawGlobe& draw_globe);
 
 /// The same for a lesson: only its convention changes from panel to panel.
 template <class Lesson>
-[[nodiscard]] Image sheet_of_conventions(Lesson globe, Session& session) {
+[[nodiscard]] SheetImage sheet_of_conventions(Lesson globe, Session& session) {
   globe.stage.camera.fov_y_degrees = 20;
   return sheet_of_conventions(session, [&](Convention convention, int width, int height) {
     globe.layout.convention = convention;

@@ -22,13 +22,12 @@ constexpr std::array shown = {std::pair(Filter::nearest, "nearest"),
                               std::pair(Filter::ewa, "ewa"),
                               std::pair(Filter::stochastic, "stochastic")};
 
-/// The sheet, as large as the session's picture, with each filter's reads and error.
-///
-/// @param all  empty: with the filters' names alone
-Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
-                       const DrawFiltered& draw) {
+}  // namespace
+
+SheetImage sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
+                            const DrawFiltered& draw) {
   const int width = session.settings.width, height = session.settings.height;
-  Image sheet(width, height, {255, 255, 255});
+  SheetImage sheet(width, height, {255, 255, 255});
   constexpr int columns = 3, rows = 2;
   const int scale = std::max(1, width / 600);
   const int line = 12 * scale, gap = std::max(1, width / 200);
@@ -53,8 +52,6 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
   }
   return sheet;
 }
-
-}  // namespace
 
 void show_sheet(Session& session, const std::optional<FloorView>& floor, const std::string& plot,
                 const DrawFiltered& draw) {

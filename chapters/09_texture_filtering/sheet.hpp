@@ -3,8 +3,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "comparison.hpp"
+#include "engine/files/sheet_image.hpp"
 #include "engine/run/filter_options.hpp"
 #include "engine/run/session.hpp"
 #include "plan.hpp"
@@ -14,6 +16,13 @@ namespace texmap::chapter_09 {
 
 /// The scene by a filter, in a size.
 using DrawFiltered = std::function<Image(Filter filter, int width, int height)>;
+
+/// The sheet, as large as the session's picture, with each filter's reads and error.
+///
+/// @param all  empty: with the filters' names alone
+[[nodiscard]] SheetImage sheet_of_filters(const Session& session,
+                                          const std::vector<FilterFigures>& all,
+                                          const DrawFiltered& draw);
 
 /// Draws and saves the sheet, prints the table of errors and reads, and saves their plot if asked.
 ///

@@ -84,11 +84,11 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
 
 }  // namespace
 
-Image sheet_of_projections(const Session& session, const Image& picture, Projection from,
-                           const DrawGlobe& draw_globe) {
+SheetImage sheet_of_projections(const Session& session, const Image& picture, Projection from,
+                                const DrawGlobe& draw_globe) {
   const int width = session.settings.width;
   const int height = session.settings.height;
-  Image sheet(width, height, paper);
+  SheetImage sheet(width, height, paper);
   const int scale = std::max(1, width / 600);
   const int line = 10 * scale;
   const int cell = std::max(1, width / 4);

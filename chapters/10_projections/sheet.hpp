@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 
+#include "engine/files/sheet_image.hpp"
 #include "engine/run/projection_options.hpp"
 #include "engine/run/session.hpp"
 #include "texture/mapped.hpp"
@@ -13,12 +14,12 @@ namespace texmap::chapter_10 {
 using DrawGlobe = std::function<Image(const Image& picture, int width, int height)>;
 
 /// The sheet, as large as the session's picture, of a picture in the layout `from`.
-[[nodiscard]] Image sheet_of_projections(const Session& session, const Image& picture,
-                                         Projection from, const DrawGlobe& draw_globe);
+[[nodiscard]] SheetImage sheet_of_projections(const Session& session, const Image& picture,
+                                              Projection from, const DrawGlobe& draw_globe);
 
 /// The same for a lesson: only its globe's paint changes.
 template <class Lesson>
-[[nodiscard]] Image sheet_of_projections(Lesson& lesson, Session& session) {
+[[nodiscard]] SheetImage sheet_of_projections(Lesson& lesson, Session& session) {
   const auto draw_globe = [&](const Image& picture, int width, int height) {
     Lesson globe = lesson;
     globe.stage.camera.fov_y_degrees = 18;

@@ -133,7 +133,7 @@ Image side_by_side(const Image& left, const char* left_caption, const Image& rig
                    const char* right_caption) {
   const int scale = std::max(1, left.width / 400);
   const int line = 14 * scale;
-  Image sheet(left.width + right.width, left.height + line, paper);
+  SheetImage sheet(left.width + right.width, left.height + line, paper);
   int from = 0;
   for (const auto& [picture, caption] :
        {std::pair(&left, left_caption), std::pair(&right, right_caption)}) {
@@ -158,7 +158,7 @@ Image sheet_of_readings(int width) {
   const int line = 11 * scale;
   const int header = 3 * line + gap;
   const int block = line + plate + 2 * line + gap;
-  Image sheet(width, header + 3 * block, paper);
+  SheetImage sheet(width, header + 3 * block, paper);
   const Image green_up = stud_normals(plate, Green::up);
   const Image green_down = stud_normals(plate, Green::down);
 

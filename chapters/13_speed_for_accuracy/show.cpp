@@ -30,7 +30,7 @@ struct Sheet {
   const Globe& globe;
   int threads, scale, line, gap, panel_width, panel_height;
   View<> view;  ///< of a panel
-  Image image;
+  SheetImage image;
   Tick tick;
   int panels = 0;
 
@@ -147,7 +147,7 @@ struct Phases {
 
 }  // namespace
 
-Image draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
+SheetImage draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
   using enum NumberKind;
   Sheet sheet(globe, width, height, threads, tick);
   sheet.add_places(Filter::nearest, {{float_, 0}, {float_, 5}, {float_, 9}});

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "engine/files/sheet_image.hpp"
 #include "ways.hpp"
 
 namespace texmap::chapter_13 {
@@ -15,7 +16,7 @@ namespace texmap::chapter_13 {
 /// The view of one picture of a sheet of this size.
 [[nodiscard]] View<> view_of_sheet(const Globe& globe, int width, int height);
 /// @param threads  as RenderSettings has them
-[[nodiscard]] Image draw_sheet(const Globe& globe, int width, int height, int threads,
-                               const Tick& tick);
+[[nodiscard]] SheetImage draw_sheet(const Globe& globe, int width, int height, int threads,
+                                    const Tick& tick);
 
 }  // namespace texmap::chapter_13

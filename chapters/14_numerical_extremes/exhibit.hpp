@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "engine/draw/settings.hpp"
+#include "engine/files/sheet_image.hpp"
 #include "math/color.hpp"
 #include "number/kinds/judge.hpp"
 #include "scene/camera.hpp"
-#include "texture/image.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap {
@@ -106,7 +106,7 @@ struct Mistakes {
 
 /// The sheet and its figures.
 struct Sheet {
-  Image picture;
+  SheetImage picture;
   std::string table;
   std::vector<std::array<Mistakes, reference>> mistakes;  ///< of each exhibit, in their order
 };

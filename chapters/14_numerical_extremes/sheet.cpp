@@ -130,7 +130,7 @@ Sheet draw_sheet(const std::vector<Exhibit>& exhibits, Session& session) {
 
   Sheet sheet;
   const double rays = 1.0 * count * int{variants} * columns * rows;
-  sheet.picture = session.timed(rays, [&](const RenderSettings& settings) {
+  static_cast<Image&>(sheet.picture) = session.timed(rays, [&](const RenderSettings& settings) {
     for_each_row(count * variants * rows, settings.threads, settings.progress, [&](int job) {
       const auto variant = static_cast<Variant>(job / rows % variants);
       const auto index = static_cast<std::size_t>(job / rows / variants);

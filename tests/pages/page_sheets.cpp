@@ -14,12 +14,12 @@
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/show.hpp"
 #include "14_numerical_extremes/lesson.hpp"
-#include "engine/files/sheet.hpp"
 #include "engine/run/run_chapter.hpp"
 
 namespace texmap::test {
 namespace {
 
+/// A picture of a sheet, or a line of text on it.
 void print_part(const SheetPart& part) {
   if (part.width > 0) {
     std::cout << "picture " << part.left << ' ' << part.top << ' ' << part.width << ' '
@@ -30,23 +30,26 @@ void print_part(const SheetPart& part) {
 }
 
 /// @param words  what the book needs to know beside the sheet
-template <class Lesson>
-void print_head(const char* chapter, const std::string& words = "") {
-  std::cout << "sheet " << chapter << ' ' << Lesson::about.size.width << ' '
-            << Lesson::about.size.height << words << '\n';
+void print_sheet(const char* chapter, const SheetImage& sheet, const std::string& words = "") {
+  std::cout << "sheet " << chapter << ' ' << sheet.width << ' ' << sheet.height << words << '\n';
+  for (const SheetPart& part : sheet.parts) print_part(part);
 }
 
+/// A lesson without an option, with a session that draws its sheet.
 template <class Lesson>
-int print_sheet(const char* chapter, const std::string& words = "") {
-  print_head<Lesson>(chapter, words);
-  constexpr std::array options{"", "--quiet", "--out", "/dev/null"};
-  return run_chapter<Lesson>(chapter, options.size(), options.data());
-}
+struct Drawing {
+  Lesson lesson;
+  CommandLine line{"page_sheets", ""};
+  Chosen chosen{"page_sheets", offer_of(lesson, line), Lesson::about};
+  Session session{chosen};
+
+  Drawing() { build(lesson, chosen); }
+};
 
 /// The names of the exhibits, in the order of the sheet.
-std::string exhibits() {
+std::string names_of(const std::vector<chapter_14::Exhibit>& exhibits) {
   std::string names;
-  for (const auto& exhibit : chapter_14::Lesson{}.exhibits()) names += ' ' + exhibit.name;
+  for (const auto& exhibit : exhibits) names += ' ' + exhibit.name;
   return names;
 }
 
@@ -56,16 +59,26 @@ std::string exhibits() {
 int main() {
   using namespace texmap;
   using namespace texmap::test;
-  on_sheet_part = print_part;
-  int failed = print_sheet<chapter_04::Lesson>("04_uv_conventions");
+  Drawing<chapter_04::Lesson> conventions;
+  print_sheet("04_uv_conventions", sheet_of_conventions(conventions.lesson, conventions.session));
   const std::string table = chapter_04::table_of_relations();
   std::istringstream lines(table.substr(table.find("\n\n") + 2));
   for (std::string line; std::getline(lines, line) && !line.empty();) print_part({line, 0, 0});
-  failed += print_sheet<chapter_09::Lesson>("09_texture_filtering");
-  failed += print_sheet<chapter_10::Lesson>("10_projections");
-  print_head<chapter_13::Lesson>("13_speed_for_accuracy");
+
+  Drawing<chapter_09::Lesson> filters;
+  const auto figures = chapter_09::compare_filters(floor_of(filters.lesson), 0, false);
+  print_sheet("09_texture_filtering", sheet_of_filters(filters.session, figures,
+                                                       drawn_by(filters.lesson, filters.session)));
+
+  Drawing<chapter_10::Lesson> projections;
+  print_sheet("10_projections", sheet_of_projections(projections.lesson, projections.session));
+
   const auto [width, height] = chapter_13::Lesson::about.size;
   const chapter_13::Globe globe(chapter_13::Lesson{}.texture.load());
-  static_cast<void>(draw_sheet(globe, width, height, 0, [](int, int) {}));
-  return failed + print_sheet<chapter_14::Lesson>("14_numerical_extremes", exhibits());
+  print_sheet("13_speed_for_accuracy", draw_sheet(globe, width, height, 0, [](int, int) {}));
+
+  Drawing<chapter_14::Lesson> extremes;
+  const auto exhibits = extremes.lesson.exhibits();
+  print_sheet("14_numerical_extremes", draw_sheet(exhibits, extremes.session).picture,
+              names_of(exhibits));
 }

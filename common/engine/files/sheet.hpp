@@ -1,27 +1,18 @@
 // Sheets: pictures with lines of text above and below them.
 #pragma once
 #include <algorithm>
-#include <functional>
+#include <string>
 #include <string_view>
 
 #include "engine/files/blit.hpp"
+#include "engine/files/sheet_image.hpp"
 #include "engine/files/stroke_font.hpp"
 
 namespace texmap {
 
-/// What a sheet gets: a picture, or a line of text, which has no size.
-struct SheetPart {
-  std::string_view words;
-  int left, top, width = 0, height = 0;
-};
-
-/// Called with each part, if somebody asks: the book shows a sheet's pictures with their words as
-/// text (docs/sheets.txt).
-inline std::function<void(const SheetPart& part)> on_sheet_part;
-
 /// A column of a sheet, filled from the top: each line and each picture goes below the one before.
 struct SheetColumn {
-  Image& sheet;
+  SheetImage& sheet;
   int left, top;
   int scale;              ///< pixels to one where letters are small
   int line = 12 * scale;  ///< height of a line of text
@@ -32,12 +23,12 @@ struct SheetColumn {
 
   void write(std::string_view words) { write(words, ink); }
   void write(std::string_view words, Rgb8 color) {
-    if (on_sheet_part) on_sheet_part({words, left, top});
+    sheet.parts.push_back({std::string(words), left, top});
     draw_text(sheet, left + indent, top + above, words, color, size);
     top += line;
   }
   void lay(const Image& picture) {
-    if (on_sheet_part) on_sheet_part({"", left, top, picture.width, picture.height});
+    sheet.parts.push_back({"", left, top, picture.width, picture.height});
     blit(sheet, picture, left, top);
     top += picture.height;
   }

@@ -53,7 +53,8 @@ void add_to(std::string& list, const std::string& word) {
   constexpr std::size_t longest = 500;
   if (list.size() > longest) return;
   if (!list.empty()) list += ", ";
-  for (const char c : word.substr(0, longest)) list += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+  for (const char c : word.substr(0, longest))
+    list += static_cast<unsigned char>(c) < ' ' ? '?' : c;
   if (list.size() > longest) list += ", ...";
 }
 
