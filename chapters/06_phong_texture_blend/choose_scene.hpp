@@ -50,7 +50,7 @@ void set_lecture_scene(Lesson& lesson, Chosen& chosen) {
 template <class Lesson>
 void choose_scene(Lesson& lesson, Chosen& chosen) {
   if (lesson.phong.resolve(chosen) == PhongScene::lecture) set_lecture_scene(lesson, chosen);
-  lesson.phong.apply_to(lesson.objects.front().material);
+  lesson.phong.apply_to(lesson.objects.front().material, chosen);
 }
 
 }  // namespace texmap::chapter_06

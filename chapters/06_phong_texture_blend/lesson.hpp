@@ -55,7 +55,7 @@ struct Lesson : LessonHooks {
       const Color<Real> color = object.paint(hit);
       const Real diffuse = lambert(object.material.lambertian, light);
       const Real specular = phong.highlight(object.material, light, hit.normal, -ray.direction);
-      if (!phong.blends || hit.object != middle) return color * diffuse + gray(specular);
+      if (!object.material.blends) return color * diffuse + gray(specular);
       return mix(gray(clamp(diffuse + specular, Real(0), Real(1))), color, Real(phong.blend));
     });
   }

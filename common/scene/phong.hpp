@@ -10,6 +10,7 @@ struct PhongMaterial {
   Lambertian lambertian;
   double specular = 0;    ///< strength of the highlight, 0 to 1
   double shininess = 50;  ///< Phong's exponent, 0 to 1e30: the larger, the smaller the highlight
+  bool blends = false;    ///< the paint is mixed with its light, and not multiplied by it
 };
 
 /// An object of a scene: a sphere, its paint and its material.

@@ -36,7 +36,7 @@ constexpr double strength = 0.3;  // of the highlight
 chapter_06::Lesson plain_globe() {
   chapter_06::Lesson lesson;
   lesson.objects[chapter_06::middle].paint = Solid{globe_color};
-  lesson.phong.apply_to(lesson.objects[chapter_06::middle].material);
+  lesson.objects[chapter_06::middle].material.specular = strength;
   return lesson;
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("the lesson's light is ambient + diffuse, and its globe is not blended
       "red of a lit point of the globe", seen_from(plain_globe(), top, no_highlight).r,
       own_red * bright,
       {{own_red * (bright - 0.2), "the ambient light is missing where the lamp shines"},
-       {0.7 * bright + 0.3 * own_red, "texture and light are always blended: only if phong.blends"},
+       {0.7 * bright + 0.3 * own_red, "texture and light are always blended: only if the material blends"},
        {own_red, "the light is missing"}},
       "not color times (ambient + diffuse)");
   const GlobePoint dark{{-0.6, 0, -0.8}};  // the lamp is below its horizon
@@ -126,7 +126,7 @@ TEST_CASE("the lesson's highlight has the exponent 50, about the reflected light
 
 TEST_CASE("half a blend is the mean of the texture and of its light, which ends at 1") {
   chapter_06::Lesson lesson = plain_globe();
-  lesson.phong.blends = true;
+  lesson.objects[chapter_06::middle].material.blends = true;
   lesson.phong.blend = 0.5;
   const double own_red = globe_color.r, bright = 0.2 + 0.8 * top.cosine;
   expect_number(
@@ -146,8 +146,8 @@ TEST_CASE("half a blend is the mean of the texture and of its light, which ends 
 
 TEST_CASE("the blend weighs the texture, and the rest is light") {
   chapter_06::Lesson lesson;
-  lesson.phong.blends = true;
   lesson.objects[chapter_06::middle].paint = Solid{{0.9, 0.2, 0.2}};
+  lesson.objects[chapter_06::middle].material.blends = true;
   lesson.phong.blend = 0.3;
   const Rgb seen = lesson(Ray<double>{{0, 0, 8}, {0, 0, -1}});
   // Light is gray: red less green comes from the texture alone.

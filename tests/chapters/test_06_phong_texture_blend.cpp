@@ -76,7 +76,7 @@ TEST_CASE(
   CHECK(settings.width == 800);
   CHECK(settings.height == 400);
   CHECK(lesson.phong.shininess == 500);
-  CHECK(lesson.phong.blends);
+  CHECK(lesson.objects.front().material.blends);
   CHECK(lesson.layout.convention == Convention::lecture);
   CHECK(lesson.turn.degrees == 0);
   const Lesson chosen = prepared<Lesson>(

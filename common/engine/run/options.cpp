@@ -298,7 +298,6 @@ void PhongOptions::declare(Offer& offer) {
 
 PhongScene PhongOptions::resolve(const Chosen& chosen) {
   const bool lecture = scene == PhongScene::lecture;
-  blends = lecture || chosen.was_given("--blend");
   if (lecture && !chosen.was_given("--shininess")) shininess = 500;
   const KernelPlan plan = plan_highlight(chosen.settings.budget);
   if (chosen.was_given("--budget")) chosen.say(plan.text);
@@ -306,9 +305,10 @@ PhongScene PhongOptions::resolve(const Chosen& chosen) {
   return scene;
 }
 
-void PhongOptions::apply_to(PhongMaterial& globe) const {
+void PhongOptions::apply_to(PhongMaterial& globe, const Chosen& chosen) const {
   globe.specular = 0.3;
   globe.shininess = shininess;
+  if (scene == PhongScene::lecture || chosen.was_given("--blend")) globe.blends = true;
 }
 
 void SamplingOptions::declare(Offer& offer) {

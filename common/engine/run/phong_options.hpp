@@ -18,7 +18,6 @@ enum class PhongScene {
 /// The user's choices of light and texture.
 struct PhongOptions {
   double blend = 0.3;     ///< weight of the texture where it is blended with light, 0 to 1
-  bool blends = false;    ///< false: light times texture, as in the chapters before
   double shininess = 50;  ///< Phong's exponent of the globe
   PhongScene scene = PhongScene::stage;
   HighlightFormula formula = HighlightFormula::phong;
@@ -26,10 +25,10 @@ struct PhongOptions {
 
   void declare(Offer& offer);
   /// After parsing: sets what depends on other options, and returns the scene to draw.
-  /// The lecture's scene always blends and has its own exponent.
+  /// The lecture's scene has its own exponent.
   PhongScene resolve(const Chosen& chosen);
-  /// Gives the globe its highlight.
-  void apply_to(PhongMaterial& globe) const;
+  /// Gives the globe its highlight. It blends in the lecture's scene, and by --blend.
+  void apply_to(PhongMaterial& globe, const Chosen& chosen) const;
 
   /// `highlight` of scene/phong.hpp by the chosen formula; defined in planned_highlight.hpp.
   template <class Real>

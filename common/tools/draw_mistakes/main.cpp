@@ -116,7 +116,7 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     Lesson lesson;
     const Settings settings = make_ready(lesson, request.options);
     if constexpr (mistakes::HasHighlight<Lesson>) {
-      if (lesson.phong.blends) return wrong;
+      if (lesson.objects.front().material.blends) return wrong;
     }
     const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
     using Object = typename decltype(lesson.objects)::value_type;

@@ -111,7 +111,7 @@ void add_shading(const Lesson& lesson, const Object& object, const Hit<double>& 
       members.emplace_back("shininess", object.material.shininess);
       members.emplace_back("highlight",
                            phong.highlight(object.material, light, hit.normal, -direction));
-      if (phong.blends) members.emplace_back("blend", phong.blend);
+      if (object.material.blends) members.emplace_back("blend", phong.blend);
     }
   } else {
     add_light(lesson.stage.light, lesson.objects, hit, members);
