@@ -144,13 +144,23 @@ std::string by_slips(const Choices& choices, const Image& mine,
   std::size_t least = 99;
   const auto explain_by = [&](std::size_t count, int most) {
     for (std::size_t i = 0; i < std::min(count, stages.size()); ++i) {
+      // With more slips than another's, only an earlier chapter may be meant.
+      if (least < static_cast<std::size_t>(most) && stages[i].first->name >= whys.begin()->first)
+        continue;
       const slips::Explanation why = explain(mine, stages[i].second, most);
       if (why.slips.empty()) continue;
       whys[stages[i].first->name] = {stages[i].first, why};
       least = std::min(least, why.slips.size());
     }
   };
+  explain_by(stages.size(), 1);
   explain_by(stages.size(), 2);
+  for (int more = 0; more < 2 && whys.empty(); ++more) {
+    for (const auto& [one, stage] : stages) {
+      const slips::Explanation why = slips::explain_by_view(mine, stage, more);
+      if (!why.slips.empty()) whys[one->name] = {one, why}, least = why.slips.size();
+    }
+  }
   if (whys.empty()) explain_by(1, 3);  // three slips take longer: of the nearest alone
   std::erase_if(whys, [&](const auto& row) { return row.second.second.slips.size() > least + 1; });
   if (whys.empty()) return "";

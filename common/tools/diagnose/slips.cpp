@@ -8,8 +8,10 @@
 #include <functional>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <utility>
 
+#include "engine/compare/difference.hpp"
 #include "engine/files/text.hpp"
 #include "math/srgb.hpp"
 
@@ -37,6 +39,7 @@ using VForm = Calculated<double (*)(double v, double y)>;            // v: the r
 using Texel = Calculated<Uv<double> (*)(const Uv<double>& uv, double columns, double rows)>;
 using Reading = Calculated<Rgb (*)(const Image& image, const Spot& at)>;
 using IsOdd = Calculated<bool (*)(double u, double v)>;  // u and v times the number of squares
+using SkyForm = Calculated<double (*)(double y)>;        // of the ray's direction
 using Bytes = Calculated<Rgb8 (*)(const Rgb& color)>;
 
 /// The places of the path where something can slip, in their order.
@@ -52,6 +55,7 @@ enum Place {
   reading,
   squares,
   light,
+  sky,
   bytes,
   flip
 };
@@ -59,13 +63,15 @@ constexpr int places = flip + 1;
 
 // Row 0 of each table is right.
 
-enum Turned { not_turned = 1, other_way, twice, from_origin, inward, undivided };
+enum Turned { not_turned = 1, other_way, twice, from_origin, from_point, inward, undivided };
 constexpr Named of_turned[] = {
     {},
     {"not turned at all", "rotate the normal before the mapping"},
     {"turned the other way: the sign of the sine", "the other sign of the sine, or of the angle"},
     {"turned by twice the angle", "rotate once"},
     {"the center was not subtracted: (u, v) were taken from the point in the world",
+     "`(point - center) / radius` for the mapping"},
+    {"(u, v) were taken from the point itself: it has no center and no radius",
      "`(point - center) / radius` for the mapping"},
     {"the normal points inward", "`(point - center) / radius`, not `center - point`"},
     {"the normal was not divided by the radius", "`(point - center) / radius`"},
@@ -92,6 +98,8 @@ constexpr UForm of_u[] = {
      [](double, const Vec3d& d) { return std::atan(-d.z / d.x) / pi + 0.5; }},
     {{"folded: acos gives east and west the same u", "`atan2(-z, x)`, not `acos(x)`"},
      [](double, const Vec3d& d) { return std::acos(d.x / std::hypot(d.x, d.z)) / (2 * pi); }},
+    {{"folded: acos gives east and west the same u", "`atan2(-z, x)`, not `acos(x)`"},
+     [](double, const Vec3d& d) { return std::acos(d.x) / (2 * pi); }},
     {{"one column: u was cut to a whole number", "divide and multiply floating-point numbers"},
      [](double angle, const Vec3d&) { return std::trunc(angle / (2 * pi) + 0.5); }},
     {{"u is the angle in radians: it was not divided by 2 pi", right_u},
@@ -283,6 +291,13 @@ constexpr IsOdd of_squares[] = {
      [](double u, double v) { return is_odd(std::round(u) + std::round(v)); }},
 };
 
+constexpr const char* right_sky = "`(y + 1) / 2` of the ray's direction of length 1";
+constexpr SkyForm of_sky[] = {
+    {{}, [](double y) { return (y + 1) / 2; }},
+    {{"the sky's colors lie too high: y was taken for (y + 1) / 2", right_sky},
+     [](double y) { return std::max(y, 0.0); }},
+};
+
 Rgb8 bytes_of_color(const Rgb& c) { return {byte_of(c.r), byte_of(c.g), byte_of(c.b)}; }
 double limited(double x) { return std::clamp(x, 0.0, 1.0); }
 constexpr Bytes of_bytes[] = {
@@ -356,8 +371,6 @@ constexpr mistakes::LightMistake of_more_light[] = {
      [](mistakes::Lit lit) { return lit.with_cosine(std::abs(lit.cosine())); }},
     {"inward", "dark where the lamp shines: the normal points inward for the light",
      [](mistakes::Lit lit) { return lit.with_cosine(std::max(-lit.cosine(), 0.0)); }},
-    {"ambient_alone", "without the lamp's light: the ambient light alone",
-     [](mistakes::Lit lit) { return lit.with_cosine(0); }},
     {"black_shadow", "black in the shadow alone: a point in the shadow lost its ambient light",
      [](mistakes::Lit lit) {
        return lit.light.cosine == 0 && lit.cosine() > 0 ? Rgb{} : lit.right();
@@ -383,10 +396,13 @@ std::vector<const mistakes::LightMistake*> light_slips(const StageView& stage) {
   return all;
 }
 
+enum class Fit { nothing, factors, exponent };  // of the material, to the picture
+
 /// Which row of each table, 0 for right; `degrees` is an angle, and `light` a row of light_slips.
 struct Way {
   std::array<int, places> row{};
-  bool on_squares = true;  ///< whether the slips of (u, v) reach the checkerboards
+  bool on_squares = true;                   ///< whether the slips of (u, v) reach the checkerboards
+  std::optional<PhongMaterial> material{};  ///< in place of the lesson's, as the picture has it
 };
 
 Vec3d axes_of(const Way& way, const Vec3d& d) {
@@ -407,7 +423,8 @@ std::vector<Named> names_of(const Table& table) {
 /// The search for a picture's slips.
 class Search {
  public:
-  Search(const Image& drawn, const StageView& stage)
+  /// @param right  the stage as it should be, if `stage` is another
+  Search(const Image& drawn, const StageView& stage, const StageView& right)
       : drawn_(drawn), stage_(stage), lights_(light_slips(stage)) {
     names_[degrees].resize(4);
     for (const auto* one : lights_) names_[light].push_back({one == nullptr ? "" : one->words, ""});
@@ -415,13 +432,18 @@ class Search {
       names_[texel].resize(1);
       names_[reading].resize(1);
     }
-    for (const Seen& seen : stage.pixels) right_.push_back(bytes_of_color(seen.color));
+    for (const Seen& seen : right.pixels) {
+      right_.push_back(bytes_of_color(seen.color));
+      if (seen.lit && shining_.specular == 0) shining_ = seen.lit->material;
+    }
     // What tells slips apart best is what is not right.
     std::vector<std::size_t> wrong, all;
     for (std::size_t i = 0; i < stage.pixels.size(); ++i) {
       all.push_back(i);
+      ++seen_of_[number_of_object(stage.pixels[i])];
       if (!alike(right_[i], at(Way{}, stage.pixels[i]))) wrong.push_back(i);
     }
+    different_ = static_cast<long>(wrong.size());
     for (const std::vector<std::size_t>* from : {&wrong, &all}) {
       for (std::size_t k = 0; k < 100 && !from->empty(); ++k)
         probes_.push_back((*from)[(k * 7919) % from->size()]);
@@ -434,9 +456,11 @@ class Search {
   /// All ways with so many slips that explain the picture.
   [[nodiscard]] std::vector<Way> ways(int slips) const {
     std::vector<Way> found;
+    const long limit = colors_ + (slips < 3 ? 20'000'000 : 3'000'000);  // about a second
+    Fit fit = Fit::nothing;
     const std::function<void(Way&, int, int)> choose = [&](Way& way, int place, int left) {
-      if (left == 0 || place == places) {
-        if (left == 0) try_way(way, found);
+      if (left == 0 || place == places || colors_ > limit) {
+        if (left == 0) try_way(way, found, fit);
         return;
       }
       for (int row = 0; row < rows(place); ++row) {
@@ -447,7 +471,73 @@ class Search {
     };
     Way way;
     choose(way, 0, slips);
+    fit = Fit::factors;
+    if (found.empty() && slips > 0) choose(way, 0, slips - 1);
+    fit = Fit::exponent;
+    if (found.empty() && slips > 0 && shining_.specular > 0) choose(way, 0, slips - 1);
     return found;
+  }
+
+  /// The whole exponent of the highlight with which a way is nearest to the picture.
+  [[nodiscard]] PhongMaterial with_exponent(Way way) const {
+    PhongMaterial material = shining_;
+    const auto distance = [&](double exponent) {
+      material.shininess = exponent;
+      way.material = material;
+      int sum = 0;
+      for (const std::size_t i : probes_)
+        sum += channel_difference(color(way, stage_.pixels[i]), at(way, stage_.pixels[i]));
+      return sum;
+    };
+    std::vector<double> exponents{128, 150, 200, 256, 300, 500, 1000};
+    for (int i = 1; i <= 100; ++i) exponents.push_back(i);
+    material.shininess = *std::ranges::min_element(exponents, {}, distance);
+    return material;
+  }
+
+  /// The ambient, diffuse and specular, in hundredths, with which a way is nearest to the picture:
+  /// least squares over what is neither black nor white.
+  [[nodiscard]] PhongMaterial fitted(Way way) const {
+    std::array<std::array<double, 4>, 3> sums{};  // the normal equations
+    for (std::size_t k = 0; k < probes_.size() + stage_.pixels.size() / 97; ++k) {
+      const Seen& seen = stage_.pixels[k < probes_.size() ? probes_[k] : (k - probes_.size()) * 97];
+      if (!seen.lit) continue;
+      std::array<Rgb, 3> part;
+      for (const std::size_t j : {0U, 1U, 2U}) {
+        way.material = {{j == 0 ? 1.0 : 0, j == 1 ? 1.0 : 0}, j == 2 ? 1.0 : 0, shining_.shininess};
+        part[j] = light_of(way, seen);
+      }
+      const Rgb8 is = at(way, seen);
+      const auto add = [&](double Rgb::*channel, int byte) {
+        if (byte < 2 || byte > 253) return;
+        for (std::size_t j = 0; j < 3; ++j) {
+          for (std::size_t l = 0; l < 3; ++l) sums[j][l] += part[j].*channel * (part[l].*channel);
+          sums[j][3] += part[j].*channel * (byte + 0.5) / 255;
+        }
+      };
+      add(&Rgb::r, is.r), add(&Rgb::g, is.g), add(&Rgb::b, is.b);
+    }
+    std::array<double, 3> best{};
+    for (std::size_t round = 0; round < 600; ++round) {  // Gauss and Seidel
+      const std::size_t j = round % 3, k = (j + 1) % 3, l = (j + 2) % 3;
+      best[j] = (sums[j][3] - sums[j][k] * best[k] - sums[j][l] * best[l]) / (sums[j][j] + 1e-6);
+    }
+    const auto rounded = [](double x) { return std::round(100 * x) / 100; };
+    return {{rounded(best[0]), rounded(best[1])}, rounded(best[2]), shining_.shininess};
+  }
+
+  /// What a fitted material has otherwise than the lesson.
+  [[nodiscard]] Slip slip(const PhongMaterial& is) const {
+    std::string words;
+    const auto say = [&](const char* what, double now, double should) {
+      if (std::abs(now - should) < 0.005) return;
+      words += (words.empty() ? "" : ", ") + text("%s is %.4g and not %.4g", what, now, should);
+    };
+    say("the ambient light", is.lambertian.ambient, shining_.lambertian.ambient);
+    say("the factor of the lamp's light", is.lambertian.diffuse, shining_.lambertian.diffuse);
+    say("the factor of the highlight", is.specular, shining_.specular);
+    if (shining_.specular > 0) say("the highlight's exponent", is.shininess, shining_.shininess);
+    return {words, ""};
   }
 
   /// The same for a globe that is turned by any whole number of degrees.
@@ -462,33 +552,37 @@ class Search {
     return found;
   }
 
-  struct Count {
-    long different = 0, explained = 0;
-    bool enough = true;
-  };
-  [[nodiscard]] Count count(const Way& way) const {
-    Count result;
-    std::array<long, 8> unexplained{}, seen_of{};
-    for (std::size_t i = 0; i < stage_.pixels.size(); ++i) {
+  /// Pixels that are not the right picture's.
+  [[nodiscard]] long different() const { return different_; }
+  /// How many of these a way explains; -1 if it leaves more than 2 % of an object unexplained.
+  [[nodiscard]] long explained(const Way& way) const {
+    long sum = 0;
+    auto left = seen_of_;
+    for (std::size_t k = 0; k < right_.size(); ++k) {
+      const std::size_t i = k * 7919 % right_.size();  // all, the objects mixed
       const Seen& seen = stage_.pixels[i];
-      const Rgb8 is = at(way, seen);
-      const auto object = static_cast<std::size_t>(std::clamp(seen.object + 1, 0, 7));
-      const bool fits = alike(color(way, seen), is);
-      ++seen_of[object];
-      unexplained[object] += fits ? 0 : 1;
-      if (alike(right_[i], at({}, seen))) continue;
-      ++result.different;
-      result.explained += fits ? 1 : 0;
+      const bool fits = alike(color(way, seen), at(way, seen));
+      if (!fits && (left[number_of_object(seen)] -= 50) < 0) return -1;
+      sum += fits && !alike(right_[i], at({}, seen)) ? 1 : 0;
     }
-    for (std::size_t i = 0; i < unexplained.size(); ++i)
-      result.enough = result.enough && unexplained[i] * 50 <= seen_of[i];
-    return result;
+    return sum;
   }
 
   [[nodiscard]] Rgb8 color(const Way& way, const Seen& seen) const {
+    return of_bytes[way.row[bytes]].calculate(light_of(way, seen));
+  }
+  [[nodiscard]] Rgb light_of(const Way& way, const Seen& seen) const {
+    ++colors_;
     const auto& row = way.row;
-    if (!seen.lit) return of_bytes[row[bytes]].calculate(seen.color);
+    if (!seen.lit && row[sky] == 0) return seen.color;
+    if (!seen.lit)
+      return mix(stage_.sky.below, stage_.sky.above, of_sky[row[sky]].calculate(seen.height));
     mistakes::Lit lit = *seen.lit;
+    if (way.material) {
+      const bool shines = lit.material.specular > 0;
+      lit.material = *way.material;
+      if (!shines) lit.material.specular = 0;
+    }
     if (row[turned] == inward) {  // the far side is then in the shadow of its own sphere
       lit.normal = -lit.normal;
       lit.light.cosine = 0;
@@ -507,6 +601,7 @@ class Search {
         if (row[turned] == twice) d = stage_.turn(d);
       }
       if (reached && row[turned] == from_origin) d = normalize(lit.lamp - lit.to_lamp);
+      if (reached && row[turned] == from_point) d = lit.lamp - lit.to_lamp;
       if (reached && row[turned] == inward) d = -d;
       if (reached && row[turned] == undivided) d.y *= seen.radius;
       if (reached) d = axes_of(way, d);
@@ -517,7 +612,7 @@ class Search {
       lit.color = seen.on_checkers ? square(row[squares], uv) : in_picture(way, uv);
     }
     const auto* slip = lights_[static_cast<std::size_t>(row[light])];
-    return of_bytes[row[bytes]].calculate(slip == nullptr ? lit.right() : slip->shade(lit));
+    return slip == nullptr ? lit.right() : slip->shade(lit);
   }
 
   [[nodiscard]] Slip slip(int place, int row) const {
@@ -561,30 +656,37 @@ class Search {
     return std::abs(a.r - b.r) <= 2 && std::abs(a.g - b.g) <= 2 && std::abs(a.b - b.b) <= 2;
   }
   /// Keeps a way that explains the probes and then the picture.
-  void try_way(const Way& chosen, std::vector<Way>& found) const {
+  void try_way(const Way& chosen, std::vector<Way>& found, Fit fit = Fit::nothing) const {
+    if (fit != Fit::nothing && chosen.row[bytes] != 0) return;
     for (const bool on_squares : {true, false}) {
       Way way = chosen;
       way.on_squares = on_squares;
       const bool moves =
           std::any_of(way.row.begin(), way.row.begin() + texel, [](int r) { return r != 0; });
       if (!on_squares && (!moves || stage_.picture.pixels.empty())) return;
-      double missed = 0, limit = 4;
-      for (const std::size_t i : probes_) {
-        missed += alike(color(way, stage_.pixels[i]), at(way, stage_.pixels[i])) ? 0 : 1;
-        limit += 0.12;
-        if (missed > limit) break;
-      }
-      if (missed > limit) continue;
-      const Count result = count(way);
-      if (!result.enough || result.explained * 10 < result.different * 9) continue;
-      found.push_back(way);
-      return;
+      if (fit == Fit::factors) way.material = fitted(way);
+      if (fit == Fit::exponent) way.material = with_exponent(way);
+      if (explains(way)) return found.push_back(way);
     }
+  }
+  [[nodiscard]] bool explains(const Way& way) const {
+    double missed = 0, limit = 4;
+    for (const std::size_t i : probes_) {
+      missed += alike(color(way, stage_.pixels[i]), at(way, stage_.pixels[i])) ? 0 : 1;
+      limit += 0.12;
+      if (missed > limit) return false;
+    }
+    return explained(way) * 10 >= different_ * 9;
+  }
+
+  static std::size_t number_of_object(const Seen& seen) {
+    return static_cast<std::size_t>(std::clamp(seen.object + 1, 0, 7));
   }
 
   const Image& drawn_;
   const StageView& stage_;
   std::vector<const mistakes::LightMistake*> lights_;
+  PhongMaterial shining_;                       ///< the lesson's, with a highlight if there is one
   std::array<std::vector<Named>, places> names_{// of each place's rows
                                                 names_of(of_turned),
                                                 names_of(of_pole),
@@ -597,24 +699,29 @@ class Search {
                                                 names_of(of_reading),
                                                 names_of(of_squares),
                                                 {},
+                                                names_of(of_sky),
                                                 names_of(of_bytes),
                                                 names_of(of_flip)};
   std::vector<Rgb8> right_;
   std::vector<std::size_t> probes_;
+  std::array<long, 8> seen_of_{};  ///< pixels of each object, the sky's first
+  long different_ = 0;
+  mutable long colors_ = 0;  ///< computed so far
 };
 
-}  // namespace
-
-Explanation explain(const Image& drawn, const StageView& stage, int most) {
+/// By at least `least` slips, at most `most`, where `changed` was seen in place of the right one.
+Explanation explain_changed(const Image& drawn, const StageView& right, const StageView& changed,
+                            int least, int most) {
   Explanation result;
-  const Search search(drawn, stage);
-  result.different = search.count({}).different;
-  if (result.different < 15) return result;  // too few to tell a mistake from a damage
+  const Search search(drawn, changed, right);
+  result.different = search.different();
+  // Too few tell no mistake from a damage.
+  if (result.different * 3600 < static_cast<long>(right.pixels.size())) return result;
   std::vector<Way> ways;
-  for (int slips = 1; slips <= most && ways.empty(); ++slips) ways = search.ways(slips);
-  if (ways.empty() && most < 3) ways = search.turned_ways();
+  for (int slips = least; slips <= most && ways.empty(); ++slips) ways = search.ways(slips);
+  if (ways.empty() && least == 1 && most == 2) ways = search.turned_ways();
   if (ways.empty()) return result;
-  const auto explained = [&](const Way& way) { return search.count(way).explained; };
+  const auto explained = [&](const Way& way) { return search.explained(way); };
   std::ranges::stable_sort(ways, std::greater<>(), explained);
   result.explained = explained(ways.front());
   const auto slips_of = [&](const Way& way) {
@@ -622,6 +729,7 @@ Explanation explain(const Image& drawn, const StageView& stage, int most) {
     for (int place = 0; place < places; ++place) {
       const int row = way.row[static_cast<std::size_t>(place)];
       if (row != 0) slips.push_back(search.slip(place, row));
+      if (place == light && way.material) slips.push_back(search.slip(*way.material));
     }
     return slips;
   };
@@ -634,6 +742,30 @@ Explanation explain(const Image& drawn, const StageView& stage, int most) {
     result.instead.push_back(words);
   }
   return result;
+}
+
+}  // namespace
+
+Explanation explain(const Image& drawn, const StageView& stage, int most) {
+  return explain_changed(drawn, stage, stage, 1, most);
+}
+
+Explanation explain_by_view(const Image& drawn, const StageView& right, int more) {
+  Explanation best;
+  StageView few = right;
+  std::erase_if(few.pixels, [](const Seen& seen) {
+    return (seen.column - 1) % (10 * lattice) != 0 || (seen.row - 1) % (10 * lattice) != 0;
+  });
+  const auto try_one = [&](const Slip& slip, const auto& view) {
+    if (explain_changed(drawn, few, view(10 * lattice), more, more).explained == 0) return;
+    Explanation why = explain_changed(drawn, right, view(lattice), more, more);
+    if (why.explained == 0) return;
+    why.slips.insert(why.slips.begin(), slip);
+    if (why.explained <= best.explained) return best.instead.push_back(slip.words);
+    best = why;
+  };
+  right.visit_changed(right.chapter, try_one);
+  return best;
 }
 
 }  // namespace texmap::slips

@@ -9,12 +9,6 @@
 
 namespace texmap::slips {
 
-/// A mistake at one place of the path.
-struct Slip {
-  std::string words;   ///< as in known_mistakes.hpp, whose cards it shares
-  std::string change;  ///< what to write instead; empty where a card says it
-};
-
 /// The slips that explain a picture together.
 struct Explanation {
   std::vector<Slip> slips;           ///< empty: the picture is right, but for what is unexplained
@@ -26,5 +20,8 @@ struct Explanation {
 /// The fewest slips, at most `most`, that explain a picture: of each object's pixels all but 2 % to
 /// two levels, and nine in ten of those that are not the right picture's. Else no slips.
 [[nodiscard]] Explanation explain(const Image& drawn, const StageView& stage, int most);
+
+/// The best explanation by a mistake before the surface, and so many slips more.
+[[nodiscard]] Explanation explain_by_view(const Image& drawn, const StageView& right, int more);
 
 }  // namespace texmap::slips

@@ -1,5 +1,8 @@
 // What a chapter on the stage computes at each pixel, kept for slips to compute otherwise.
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,6 +10,7 @@
 #include <vector>
 
 #include "engine/draw/render.hpp"
+#include "engine/files/text.hpp"
 #include "engine/run/prepared.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/image.hpp"
@@ -18,8 +22,9 @@ namespace texmap::slips {
 /// What the ray through a pixel's center meets.
 struct Seen {
   int column = 0, row = 0;
-  int object = -1;  ///< -1: the sky
-  Rgb color{};      ///< as the lesson computes it
+  int object = -1;    ///< -1: the sky
+  Rgb color{};        ///< as the lesson computes it
+  double height = 0;  ///< y of the ray's direction
   std::optional<mistakes::Lit> lit{};
   double radius = 1;
   Vec3d direction{};    ///< that the mapping is given: the normal, turned where the lesson turns it
@@ -36,7 +41,20 @@ void visit_paint(const Paint& paint, const Visit& visit) {
   visit(paint);
 }
 
-/// A chapter's stage at every third pixel of every third row.
+/// A mistake at one place of the path.
+struct Slip {
+  std::string words;   ///< as in known_mistakes.hpp, whose cards it shares
+  std::string change;  ///< what to write instead; empty where a card says it
+};
+
+inline constexpr int lattice = 3;
+struct StageView;
+
+/// Called with a slip, and with what views the stage that it draws at every n-th pixel.
+using Visit =
+    std::function<void(const Slip& slip, const std::function<StageView(int every)>& view)>;
+
+/// A chapter's stage at every third pixel of every third row, or at fewer.
 struct StageView {
   std::string chapter;  ///< its folder
   int width = 800, height = 600;
@@ -44,8 +62,16 @@ struct StageView {
   Image picture{};  ///< of the texture; empty if there is none
   Checkerboard checkers{};
   RotationY turn{};  ///< of the directions that the mapping is given
+  GradientSky sky{};
+  void (*visit_changed)(const std::string& chapter, const Visit& visit) = nullptr;
 };
-inline constexpr int lattice = 3;
+
+/// How a wrong program traces rays; by default as the lesson does.
+struct Tracing {
+  bool draws_last = false;  ///< of the objects that a ray meets, and not the nearest
+  /// The way to the lamp, of any length, whose square the sphere's formula takes for 1.
+  Vec3d (*to_lamp)(const Point& lamp, const Point& point) = nullptr;
+};
 
 /// Lessons of spheres in the light of the stage; a reader's own may draw something else.
 template <class Lesson>
@@ -58,18 +84,36 @@ concept OfTheStage = HasStageLight<Lesson> && requires(const Lesson& lesson) {
   lesson.stage.sky;
 };
 
+/// True if a sphere lies on the way, by a formula for ways of length 1.
+[[nodiscard]] inline bool hides(const Sphere<>& sphere, const Ray<double>& way, double distance) {
+  const Vec3d from_center = way.origin - sphere.center;
+  const double b = -dot(from_center, way.direction);
+  const double root =
+      std::sqrt(b * b - dot(from_center, from_center) + sphere.radius * sphere.radius);
+  const auto is_between = [&](double t) { return t > 0.001 && t < distance; };
+  return is_between(b - root) || is_between(b + root);  // NaN is not
+}
+
 template <OfTheStage Lesson>
-[[nodiscard]] StageView view_stage(std::string_view chapter) {
-  const Lesson lesson = prepared<Lesson>();
-  StageView stage{.chapter = std::string(chapter)};
-  const View<> view = view_of(lesson.stage.camera, stage.width, stage.height);
-  for (int row = 1; row < stage.height; row += lattice) {
-    for (int column = 1; column < stage.width; column += lattice) {
+[[nodiscard]] StageView view_stage(std::string_view chapter, const Lesson& lesson,
+                                   const View<>& view, int every = lattice,
+                                   const Tracing& tracing = {}) {
+  StageView stage{.chapter = std::string(chapter), .sky = lesson.stage.sky};
+  for (int row = 1; row < stage.height; row += every) {
+    for (int column = 1; column < stage.width; column += every) {
       const Ray<double> ray = ray_through<double>(view, column, row);
-      Seen seen{.column = column, .row = row, .color = lesson(ray)};
+      Seen seen{.column = column, .row = row, .height = ray.direction.y};
       const auto keep = [&](const auto& object, const Hit<double>& hit, bool) {
         seen.object = hit.object;
         seen.lit.emplace(lesson, object, object.paint(hit), hit, ray);
+        if (tracing.to_lamp != nullptr) {
+          const Vec3d path = tracing.to_lamp(lesson.stage.light.position, hit.point);
+          const bool hidden = std::ranges::any_of(lesson.objects, [&](const auto& other) {
+            return hides(other.shape, {hit.point, path}, length(seen.lit->to_lamp));
+          });
+          seen.lit->light.to_light = path;
+          seen.lit->light.cosine = hidden ? 0 : std::max(dot(hit.normal, path), 0.0);
+        }
         seen.direction = hit.normal;
         seen.radius = object.shape.radius;
         const auto keep_paint = [&](const auto& paint) {
@@ -87,10 +131,81 @@ template <OfTheStage Lesson>
         };
         visit_paint(object.paint, keep_paint);
       };
-      for_each_hit(lesson.objects, ray, find_nearest(lesson.objects, ray), keep);
+      Nearest<double> met = find_nearest(lesson.objects, ray);
+      for (std::size_t i = 0; tracing.draws_last && i < lesson.objects.size(); ++i) {
+        const double distance = distance_to(lesson.objects[i].shape, ray);
+        if (distance < infinity<double>()) met = {distance, static_cast<double>(i)};
+      }
+      for_each_hit(lesson.objects, ray, met, keep);
+      const bool is_wrong = tracing.draws_last || tracing.to_lamp != nullptr;
+      seen.color = is_wrong && seen.lit ? seen.lit->right() : lesson(ray);
       stage.pixels.push_back(seen);
     }
   }
+  return stage;
+}
+/// A mistake before the surface: in the view of 800 x 600 pixels, or in tracing.
+struct ViewSlip : Slip {
+  void (*turn)(View<>& view) = nullptr;
+  Tracing tracing{};
+};
+inline const ViewSlip of_view[] = {
+    {{"all is too narrow: the picture's aspect was forgotten", "x times width / height"},
+     [](View<>& view) { view.right = view.right * 0.75; }},
+    {{"all is too small and turned: the angle of view, in degrees, was taken for radians",
+      "`angle * pi / 180`"},
+     [](View<>& view) { view.pixel = tan(30.0) / 300; }},
+    {{"half a pixel off: rays go through the corners of pixels", "`column + 0.5`, `row + 0.5`"},
+     [](View<>& view) { view.center_column += 0.5, view.center_row += 0.5; }},
+    {{"the camera does not look at its target: its axes are the world's", "`target - eye`"},
+     [](View<>& view) {
+       view.forward = {0, 0, -1}, view.up = {0, 1, 0};
+     }},
+    {{"all is too large: the vector to the right was not divided by its length",
+      "`normalize(cross(forward, up))`"},
+     [](View<>& view) {
+       view.pixel *= length(cross(view.forward, Vec3d{0, 1, 0}));
+     }},
+    {{"the last object that a ray meets is drawn, and not the nearest", "the smallest distance"},
+     nullptr,
+     {.draws_last = true}},
+    {{"too bright, and full of shadows: the vector to the lamp was not divided by its length",
+      "`normalize(lamp - point)`"},
+     nullptr,
+     {.to_lamp = [](const Point& lamp, const Point& point) { return lamp - point; }}},
+    {{"the light comes from one direction everywhere: the point was not subtracted",
+      "`normalize(lamp - point)`"},
+     nullptr,
+     {.to_lamp = [](const Point& lamp, const Point&) { return normalize(lamp); }}},
+};
+
+template <OfTheStage Lesson>
+void visit_changed(const std::string& chapter, const Visit& visit) {
+  const Lesson right = prepared<Lesson>();
+  for (const ViewSlip& slip : of_view) {
+    View<> view = view_of(right.stage.camera, 800, 600);
+    if (slip.turn != nullptr) slip.turn(view);
+    visit(slip, [&](int every) { return view_stage(chapter, right, view, every, slip.tracing); });
+  }
+  const auto visit_lesson = [&](const char*, const std::string& words, const Lesson& lesson) {
+    const View<> view = view_of(lesson.stage.camera, 800, 600);
+    visit({words, ""}, [&](int every) { return view_stage(chapter, lesson, view, every); });
+  };
+  mistakes::of_the_scene(right, visit_lesson);
+  for (int degrees = 20; degrees <= 110; ++degrees) {
+    if (degrees == 60 || degrees == 90) continue;  // right; of_the_scene has it
+    Lesson lesson = right;
+    lesson.stage.camera.fov_y_degrees = degrees;
+    visit_lesson("", text("the angle of view is %d degrees and not 60", degrees), lesson);
+  }
+}
+
+/// As the chapter draws it.
+template <OfTheStage Lesson>
+[[nodiscard]] StageView view_stage(std::string_view chapter) {
+  const Lesson lesson = prepared<Lesson>();
+  StageView stage = view_stage(chapter, lesson, view_of(lesson.stage.camera, 800, 600));
+  stage.visit_changed = visit_changed<Lesson>;
   return stage;
 }
 

@@ -18,10 +18,12 @@ struct Mistake {
   bool shadows = true;
   double ambient = 0.2;
   bool bgr = false;
+  double degrees = 60, across = 1;  ///< the angle of view; a factor on a ray's way to the right
 };
 
 Image drawn_with(const Mistake& mistake) {
-  const chapter_03::Lesson lesson = prepared<chapter_03::Lesson>();
+  chapter_03::Lesson lesson = prepared<chapter_03::Lesson>();
+  lesson.stage.camera.fov_y_degrees = mistake.degrees;
   const std::vector<Object> casters = mistake.shadows ? lesson.objects : std::vector<Object>{};
   const auto color_of = [&](const Ray<double>& ray) {
     const auto shade = [&](const Object& object, const Hit<double>& hit) {
@@ -34,7 +36,8 @@ Image drawn_with(const Mistake& mistake) {
     };
     return color_along(lesson.objects, ray, lesson.stage.sky, shade);
   };
-  const View<> view = view_of(lesson.stage.camera, 800, 600);
+  View<> view = view_of(lesson.stage.camera, 800, 600);
+  view.right = view.right * mistake.across;
   return image_of(800, 600, [&](int column, int row) {
     const Rgb c = color_of(ray_through<double>(view, column, row));
     return Rgb8{byte_of(c.r), byte_of(c.g), byte_of(c.b)};
@@ -83,10 +86,17 @@ TEST_CASE("a mistake, or two at once, are found by what they draw") {
         },
         .bgr = true},
        "squeezed at the poles;red and blue are exchanged in the texture;"},
+      {{.ambient = 0.43}, "the ambient light is 0.43 and not 0.2;"},
+      {{.degrees = 47}, "the angle of view is 47 degrees and not 60;"},
+      {{.bgr = true, .across = 0.75},
+       "all is too narrow;red and blue are exchanged in the texture;"},
   };
   for (const auto& row : rows) {
     CAPTURE(row.words);
-    const slips::Explanation why = explain(drawn_with(row.mistake), stage, 2);
+    const Image drawn = drawn_with(row.mistake);
+    slips::Explanation why = explain(drawn, stage, 2);
+    for (const int more : {0, 1})
+      if (why.slips.empty()) why = explain_by_view(drawn, stage, more);
     CHECK(words_of(why) == row.words);
     CHECK(why.explained * 10 >= why.different * 9);
     CHECK(why.different > 500);
@@ -102,4 +112,5 @@ TEST_CASE("a right picture with dots, and noise, have no slips") {
     CHECK(explain(damaged, stage, 2).slips.empty());
   }
   CHECK(explain(test::noise(800, 600, 3), stage, 2).slips.empty());
+  CHECK(explain_by_view(test::noise(800, 600, 3), stage, 1).slips.empty());
 }
