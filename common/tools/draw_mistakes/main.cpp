@@ -109,7 +109,8 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     const bool chosen =  // by the user, who took another value
         std::any_of(request.options.begin(), request.options.end(),
                     [&option = option](const auto& word) { return word.starts_with(option); });
-    if (!chosen) add_own(name, words, drawn<Lesson>(request, {option, value}, draft));
+    const Words typed = value.empty() ? Words{option} : Words{option, value};
+    if (!chosen) add_own(name, words, drawn<Lesson>(request, typed, draft));
   }
   std::filesystem::remove(draft);
   if constexpr (DrawsStage<Lesson>) {
