@@ -78,13 +78,13 @@ TEST_CASE("the exponent narrows the highlight, and shadow has none") {
 TEST_CASE("the lesson's light is ambient + diffuse, and its globe is not blended unless asked") {
   const Vec3d no_highlight{0, 0.6, 0.8};  // more than 90 degrees from the reflected light
   const double own_red = globe_color.r, bright = 0.2 + 0.8 * top.cosine;
-  expect_number(
-      "red of a lit point of the globe", seen_from(plain_globe(), top, no_highlight).r,
-      own_red * bright,
-      {{own_red * (bright - 0.2), "the ambient light is missing where the lamp shines"},
-       {0.7 * bright + 0.3 * own_red, "texture and light are always blended: only if the material blends"},
-       {own_red, "the light is missing"}},
-      "not color times (ambient + diffuse)");
+  expect_number("red of a lit point of the globe", seen_from(plain_globe(), top, no_highlight).r,
+                own_red * bright,
+                {{own_red * (bright - 0.2), "the ambient light is missing where the lamp shines"},
+                 {0.7 * bright + 0.3 * own_red,
+                  "texture and light are always blended: only if the material blends"},
+                 {own_red, "the light is missing"}},
+                "not color times (ambient + diffuse)");
   const GlobePoint dark{{-0.6, 0, -0.8}};  // the lamp is below its horizon
   expect_number("red of a point on the dark side", seen_from(plain_globe(), dark, dark.normal).r,
                 own_red * 0.2,

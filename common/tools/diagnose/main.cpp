@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 
 struct Choices {
   std::string file, undrawn;
+  std::string texture;  ///< in place of the chapter's; empty: its own
   std::string chapter;  ///< two digits, or empty: any
   std::string source = TEXMAP_CHAPTERS_DIR;
 
@@ -127,19 +128,28 @@ bool draws(const slips::StageView& stage, const Image& right) {
   return off * 1000 <= stage.pixels.size();
 }
 
-/// The explanations by the fewest slips, of the chapters that draw the stage; else nothing.
-/// A turned globe of chapter 03 may be chapter 05's: then the earlier is explained, both are said.
-std::string by_slips(const Choices& choices, const Image& mine,
-                     const std::vector<WrongPicture>& candidates) {
+/// The stages of chapters that draw them, in the picture's size; with the reader's texture those
+/// that have one. A chapter's lesson may be the reader's own.
+std::vector<std::pair<const WrongPicture*, slips::StageView>> stages_of(
+    const Choices& choices, const Image& mine, const std::vector<WrongPicture>& candidates) {
   std::vector<std::pair<const WrongPicture*, slips::StageView>> stages;
   for (const WrongPicture& one : candidates) {
     for (const slips::OnStage& on_stage : slips::stages()) {
       if (on_stage.name != one.name) continue;
-      slips::StageView stage = on_stage.view(on_stage.name);
-      if (stage.width == mine.width && stage.height == mine.height && draws(stage, one.picture))
+      slips::StageView stage = on_stage.view(on_stage.name, choices.texture);
+      if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height)
+        continue;
+      if (choices.texture.empty() ? draws(stage, one.picture) : !stage.picture.pixels.empty())
         stages.emplace_back(&one, std::move(stage));
     }
   }
+  return stages;
+}
+
+/// The explanations by the fewest slips, of the chapters that draw the stage; else nothing.
+/// A turned globe of chapter 03 may be chapter 05's: then the earlier is explained, both are said.
+std::string by_slips(const Choices& choices, const Image& mine,
+                     const std::vector<std::pair<const WrongPicture*, slips::StageView>>& stages) {
   std::map<std::string, std::pair<const WrongPicture*, slips::Explanation>> whys;
   std::size_t least = 99;
   const auto explain_by = [&](std::size_t count, int most) {
@@ -318,8 +328,15 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
       return stray_pixels(mine, one.picture).count > least;
     });
   }
-  std::string found = by_slips(choices, mine, candidates);
+  const auto stages = stages_of(choices, mine, candidates);
+  std::string found = by_slips(choices, mine, stages);
   if (!found.empty()) return found;
+  for (const auto& [one, stage] : stages) {
+    if (!has_other_colors(mine, stage)) continue;
+    return choices.file + ": chapter " + one->name.substr(0, 2) +
+           "'s picture, right but for its texture: the file has few of these colors\n"
+           "  judge it    if you took another texture: --texture FILE\n";
+  }
   for (const WrongPicture& one : candidates) {
     if (asked_for(choices, one)) return "";
     const std::string words = known_words(choices, mine, one);
@@ -347,6 +364,25 @@ bool diagnose(const Choices& choices) {
   const std::vector<WrongPicture> right = right_pictures(choices.root() / "tests/golden");
   std::string found;
   bool is_it = false;
+  if (!choices.texture.empty()) {
+    const std::vector<WrongPicture> candidates = meant(choices, mine, right);
+    const auto stages = stages_of(choices, mine, candidates);
+    if (stages.empty()) throw UsageError("none of these chapters has a texture: leave it out");
+    for (const auto& [one, stage] : stages) {
+      if (explain(mine, stage, 0).different > 0) continue;
+      print(
+          text("%s: right, chapter %s's picture with that texture, at each of the %zu pixels that "
+               "were compared\n",
+               choices.file.c_str(), one->name.substr(0, 2).c_str(), stage.pixels.size()));
+      return true;
+    }
+    found = by_slips(choices, mine, stages);
+    print(!found.empty() ? found
+                         : choices.file +
+                               ": wrong with that texture, by a mistake that is not "
+                               "known\n");
+    return false;
+  }
   for (const WrongPicture& one : right) {
     if (!is_same_picture(mine, one.picture) || stray_pixels(mine, one.picture).count > 0) continue;
     is_it = one.name.starts_with(choices.chapter);
@@ -370,6 +406,7 @@ int main(int argc, char** argv) {
   line.positional("FILE", choices.file, "the picture, a PNG in the size that a chapter draws");
   line.text("--chapter", "NN", choices.chapter,
             "the chapter that should have drawn it; the default is the nearest");
+  line.text("--texture", "FILE", choices.texture, "the texture that you drew it with");
   line.text("--source", "FOLDER", choices.source, "the folder of the chapters");
   line.text("--undrawn", "FILE", choices.undrawn,
             "where a chapter's known mistakes are not drawn yet, write its name into this file");

@@ -420,6 +420,10 @@ std::vector<Named> names_of(const Table& table) {
   return {std::begin(table), std::end(table)};
 }
 
+bool alike(const Rgb8& a, const Rgb8& b) {
+  return std::abs(a.r - b.r) <= 2 && std::abs(a.g - b.g) <= 2 && std::abs(a.b - b.b) <= 2;
+}
+
 /// The search for a picture's slips.
 class Search {
  public:
@@ -652,9 +656,6 @@ class Search {
     return drawn_.at(form % 2 == 1 ? drawn_.width - 1 - seen.column : seen.column,
                      form >= 2 ? drawn_.height - 1 - seen.row : seen.row);
   }
-  static bool alike(const Rgb8& a, const Rgb8& b) {
-    return std::abs(a.r - b.r) <= 2 && std::abs(a.g - b.g) <= 2 && std::abs(a.b - b.b) <= 2;
-  }
   /// Keeps a way that explains the probes and then the picture.
   void try_way(const Way& chosen, std::vector<Way>& found, Fit fit = Fit::nothing) const {
     if (fit != Fit::nothing && chosen.row[bytes] != 0) return;
@@ -764,8 +765,42 @@ Explanation explain_by_view(const Image& drawn, const StageView& right, int more
     if (why.explained <= best.explained) return best.instead.push_back(slip.words);
     best = why;
   };
-  right.visit_changed(right.chapter, try_one);
+  right.visit_changed(right, try_one);
   return best;
+}
+
+bool has_other_colors(const Image& drawn, const StageView& stage) {
+  // How often the texture has a color, in 16 steps a channel.
+  constexpr int steps = 16;
+  std::vector<std::size_t> times(std::size_t{steps} * steps * steps);
+  const auto step_of = [](double channel, int more) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(channel * steps) + more, 0, 15));
+  };
+  const auto place_of = [&](const Rgb& c, int r, int g, int b) {
+    return (step_of(c.r, r) * steps + step_of(c.g, g)) * steps + step_of(c.b, b);
+  };
+  for (const Rgb8& texel : stage.picture.pixels) ++times[place_of(color_of(texel), 0, 0, 0)];
+  const auto is_rare = [&](const Rgb& c) {
+    std::size_t near = 0;
+    for (int i = 0; i < 27; ++i) near += times[place_of(c, i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)];
+    return near * 1000 < stage.picture.pixels.size();
+  };
+  long around = 0, around_wrong = 0, lit = 0, unlike = 0, impossible = 0;
+  for (const Seen& seen : stage.pixels) {
+    const Rgb8 is = drawn.at(seen.column, seen.row);
+    if (!seen.mapped || seen.on_checkers) {
+      ++around;
+      around_wrong += alike(is, bytes_of_color(seen.color)) ? 0 : 1;
+      continue;
+    }
+    const double diffuse = seen.lit->diffuse();
+    if (diffuse < 0.4) continue;
+    ++lit;
+    const Rgb color = (color_of(is) + gray(-seen.lit->specular())) * (1 / diffuse);
+    unlike += is_rare(color) ? 1 : 0;
+    impossible += std::max({color.r, color.g, color.b}) > 1.02 ? 1 : 0;
+  }
+  return lit > 500 && around_wrong * 100 <= around && impossible * 50 <= lit && unlike * 10 >= lit;
 }
 
 }  // namespace texmap::slips

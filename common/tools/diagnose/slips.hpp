@@ -24,4 +24,8 @@ struct Explanation {
 /// The best explanation by a mistake before the surface, and so many slips more.
 [[nodiscard]] Explanation explain_by_view(const Image& drawn, const StageView& right, int more);
 
+/// True if all but the colors of the texture is right, and these are rare in it: of the lit part
+/// at least a tenth are near fewer than 0.1 % of its texels. It is another, or was changed.
+[[nodiscard]] bool has_other_colors(const Image& drawn, const StageView& stage);
+
 }  // namespace texmap::slips

@@ -63,7 +63,8 @@ struct StageView {
   Checkerboard checkers{};
   RotationY turn{};  ///< of the directions that the mapping is given
   GradientSky sky{};
-  void (*visit_changed)(const std::string& chapter, const Visit& visit) = nullptr;
+  std::vector<std::string> options{};  ///< that its lesson has
+  void (*visit_changed)(const StageView& stage, const Visit& visit) = nullptr;
 };
 
 /// How a wrong program traces rays; by default as the lesson does.
@@ -180,8 +181,9 @@ inline const ViewSlip of_view[] = {
 };
 
 template <OfTheStage Lesson>
-void visit_changed(const std::string& chapter, const Visit& visit) {
-  const Lesson right = prepared<Lesson>();
+void visit_changed(const StageView& stage, const Visit& visit) {
+  const Lesson right = prepared<Lesson>(stage.options);
+  const std::string& chapter = stage.chapter;
   for (const ViewSlip& slip : of_view) {
     View<> view = view_of(right.stage.camera, 800, 600);
     if (slip.turn != nullptr) slip.turn(view);
@@ -202,9 +204,11 @@ void visit_changed(const std::string& chapter, const Visit& visit) {
 
 /// As the chapter draws it.
 template <OfTheStage Lesson>
-[[nodiscard]] StageView view_stage(std::string_view chapter) {
-  const Lesson lesson = prepared<Lesson>();
+[[nodiscard]] StageView view_stage(std::string_view chapter,
+                                   const std::vector<std::string>& options = {}) {
+  const Lesson lesson = prepared<Lesson>(options);
   StageView stage = view_stage(chapter, lesson, view_of(lesson.stage.camera, 800, 600));
+  stage.options = options;
   stage.visit_changed = visit_changed<Lesson>;
   return stage;
 }
@@ -212,16 +216,18 @@ template <OfTheStage Lesson>
 /// A chapter that can be viewed: stages.cmake lists them. Of another scene there are no pixels.
 struct OnStage {
   std::string_view name;
-  StageView (*view)(std::string_view chapter);
+  /// @param texture  a file in place of the chapter's own; empty: its own
+  StageView (*view)(std::string_view chapter, const std::string& texture);
 };
 template <class Lesson>
 constexpr OnStage on_stage(std::string_view name) {
-  return {name, [](std::string_view chapter) -> StageView {
+  return {name, [](std::string_view chapter, const std::string& texture) -> StageView {
             if constexpr (OfTheStage<Lesson>) {
-              return view_stage<Lesson>(chapter);
-            } else {
-              return {.chapter = std::string(chapter)};
+              if (texture.empty()) return view_stage<Lesson>(chapter, {});
+              if constexpr (requires(Lesson lesson) { lesson.texture; })
+                return view_stage<Lesson>(chapter, {"--texture", texture});
             }
+            return {.chapter = std::string(chapter)};
           }};
 }
 [[nodiscard]] const std::vector<OnStage>& stages();

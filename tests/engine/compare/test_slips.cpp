@@ -114,3 +114,17 @@ TEST_CASE("a right picture with dots, and noise, have no slips") {
   CHECK(explain(test::noise(800, 600, 3), stage, 2).slips.empty());
   CHECK(explain_by_view(test::noise(800, 600, 3), stage, 1).slips.empty());
 }
+
+TEST_CASE("another texture is told from a wrong place in the right one") {
+  const std::vector<std::string> crate{"--texture", "crate.png"};
+  const auto of_chapter = [](const std::vector<std::string>& options) {
+    return slips::view_stage<chapter_03::Lesson>("03_image_texture", options);
+  };
+  const auto lesson = prepared<chapter_03::Lesson>(crate);
+  const Image drawn = render<double>(lesson, view_of(lesson.stage.camera, 800, 600));
+  CHECK(has_other_colors(drawn, of_chapter({})));
+  CHECK(explain(drawn, of_chapter(crate), 0).different == 0);
+  const Mistake mirrored{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }};
+  CHECK(!has_other_colors(drawn_with(mirrored), of_chapter({})));
+  CHECK(explain(drawn_with(mirrored), of_chapter(crate), 0).different > 500);
+}
