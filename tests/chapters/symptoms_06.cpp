@@ -37,6 +37,7 @@ chapter_06::Lesson plain_globe() {
   chapter_06::Lesson lesson;
   lesson.objects[chapter_06::middle].paint = Solid{globe_color};
   lesson.objects[chapter_06::middle].material.specular = strength;
+  lesson.objects[chapter_06::middle].material.shininess = lesson.phong.shininess;
   return lesson;
 }
 
