@@ -10,7 +10,7 @@
 namespace texmap::chapter_13 {
 
 /// The plots' files in the order of plots_of, then the JSON file: x_speed_error.svg and so on,
-/// beside x.png. There are none if the picture goes to a device.
+/// beside x.png. Empty if the picture goes to a device.
 [[nodiscard]] std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out);
 
 /// The view of one picture of a sheet of this size.

@@ -331,19 +331,21 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
   const auto stages = stages_of(choices, mine, candidates);
   std::string found = by_slips(choices, mine, stages);
   if (!found.empty()) return found;
-  for (const auto& [one, stage] : stages) {
-    if (!has_other_colors(mine, stage)) continue;
-    return choices.file + ": chapter " + one->name.substr(0, 2) +
-           "'s picture, right but for its texture: the file has few of these colors\n"
-           "  judge it    if you took another texture: --texture FILE\n";
-  }
+  bool is_sure = false;
   for (const WrongPicture& one : candidates) {
     if (asked_for(choices, one)) return "";
     const std::string words = known_words(choices, mine, one);
     const bool is_vague = words.starts_with("softer") || words.starts_with("rougher");
     if (!words.empty() && (found.empty() || !is_vague))
       found = explained(choices, one, {{words, ""}});
-    if (!words.empty() && !is_vague) break;
+    is_sure = !words.empty() && !is_vague;
+    if (is_sure) break;
+  }
+  for (const auto& [one, stage] : stages) {
+    if (is_sure || !has_other_colors(mine, stage)) continue;
+    return choices.file + ": chapter " + one->name.substr(0, 2) +
+           "'s picture, right but for its texture: the file has few of these colors\n"
+           "  judge it    if you took another texture: --texture FILE\n";
   }
   const WrongPicture& nearest = candidates.front();
   if (found.empty() && least <= few)
@@ -358,31 +360,34 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
          (candidates.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
 }
 
+/// The same for a picture with the reader's texture, by the pixels that the stage has.
+/// Errors: UsageError where no chapter that may be meant has a texture.
+bool is_right_with_texture(const Choices& choices, const Image& mine,
+                           const std::vector<WrongPicture>& right) {
+  const std::vector<WrongPicture> candidates = meant(choices, mine, right);
+  const auto stages = stages_of(choices, mine, candidates);
+  if (stages.empty()) throw UsageError("none of these chapters has a texture: leave it out");
+  for (const auto& [one, stage] : stages) {
+    if (explain(mine, stage, 0).different > 0) continue;
+    print(
+        text("%s: right, chapter %s's picture with that texture, at each of the %zu pixels that "
+             "were compared\n",
+             choices.file.c_str(), one->name.substr(0, 2).c_str(), stage.pixels.size()));
+    return true;
+  }
+  const std::string found = by_slips(choices, mine, stages);
+  print(found.empty() ? choices.file + ": wrong with that texture, by a mistake that is not known\n"
+                      : found);
+  return false;
+}
+
 /// Says what a picture is; true if it is right.
 bool diagnose(const Choices& choices) {
   const Image mine = picture_in(choices.file);
   const std::vector<WrongPicture> right = right_pictures(choices.root() / "tests/golden");
   std::string found;
   bool is_it = false;
-  if (!choices.texture.empty()) {
-    const std::vector<WrongPicture> candidates = meant(choices, mine, right);
-    const auto stages = stages_of(choices, mine, candidates);
-    if (stages.empty()) throw UsageError("none of these chapters has a texture: leave it out");
-    for (const auto& [one, stage] : stages) {
-      if (explain(mine, stage, 0).different > 0) continue;
-      print(
-          text("%s: right, chapter %s's picture with that texture, at each of the %zu pixels that "
-               "were compared\n",
-               choices.file.c_str(), one->name.substr(0, 2).c_str(), stage.pixels.size()));
-      return true;
-    }
-    found = by_slips(choices, mine, stages);
-    print(!found.empty() ? found
-                         : choices.file +
-                               ": wrong with that texture, by a mistake that is not "
-                               "known\n");
-    return false;
-  }
+  if (!choices.texture.empty()) return is_right_with_texture(choices, mine, right);
   for (const WrongPicture& one : right) {
     if (!is_same_picture(mine, one.picture) || stray_pixels(mine, one.picture).count > 0) continue;
     is_it = one.name.starts_with(choices.chapter);

@@ -24,8 +24,8 @@ struct Explanation {
 /// The best explanation by a mistake before the surface, and so many slips more.
 [[nodiscard]] Explanation explain_by_view(const Image& drawn, const StageView& right, int more);
 
-/// True if all but the colors of the texture is right, and these are rare in it: of the lit part
-/// at least a tenth are near fewer than 0.1 % of its texels. It is another, or was changed.
+/// True if only the texture's colors are wrong, and the texture hardly has them: at least a tenth
+/// of those in the lamp's light are near fewer than 0.1 % of its texels.
 [[nodiscard]] bool has_other_colors(const Image& drawn, const StageView& stage);
 
 }  // namespace texmap::slips

@@ -145,6 +145,7 @@ template <OfTheStage Lesson>
   }
   return stage;
 }
+
 /// A mistake before the surface: in the view of 800 x 600 pixels, or in tracing.
 struct ViewSlip : Slip {
   void (*turn)(View<>& view) = nullptr;

@@ -160,3 +160,22 @@ TEST_CASE("mistakes that have a card in My Earth is ... lead to it") {
         "half_a_texel half_a_texel half_a_texel half_a_texel too_dark too_pale black dark_rim "
         "night_highlight dents too_dark ");
 }
+
+TEST_CASE("a picture is judged with the texture that its reader names") {
+  const struct {
+    const char *words, *said;
+    int status;
+  } rows[] = {
+      {"03_image_texture.png\" --texture earth.png",
+       ": right, chapter 03's picture with that texture", 0},
+      {"03_image_texture.png\" --texture crate.png", ": wrong with that texture", 1},
+      {"01_plain_spheres.png\" --texture crate.png", "none of these chapters has a texture", 2},
+  };
+  for (const auto& row : rows) {
+    CAPTURE(row.words);
+    const Outcome outcome =
+        run(std::string("\"" TEXMAP_DIAGNOSE "\" \"" TEXMAP_TESTS_DIR "/golden/") + row.words);
+    CHECK(outcome.status == row.status);
+    CHECK(has(outcome.out + outcome.err, row.said));
+  }
+}
