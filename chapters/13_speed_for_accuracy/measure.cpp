@@ -106,17 +106,6 @@ WorkTime time_alone(const Globe& globe, const View<>& view) {
   return work_times(work, rounds_within(200, work, 7, 100)).front();
 }
 
-std::string disagreement(const WorkTime& alone, const WorkTime& among) {
-  const auto [shorter, longer] = std::minmax(alone.processor, among.processor);
-  if (longer < 1 || longer <= 1.25 * shorter) return "";
-  return text(
-      "plain double took %.1f ms for a picture before packs were timed, and %.1f ms among "
-      "them. Every ratio would be wrong, so none is shown. Either this machine changed its "
-      "speed meanwhile: run again when nothing else runs. Or packs leave the processor in a "
-      "state that slows plain numbers: with --instructions baseline both times are then equal",
-      alone.processor, among.processor);
-}
-
 void time_rows_beside(WorkTime alone, std::span<Row> rows, const Globe& globe, const View<>& view,
                       Timing& timing) {
   std::string wrong;

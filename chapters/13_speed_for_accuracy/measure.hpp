@@ -37,19 +37,11 @@ void time_rows(std::span<Row> rows, const Globe& globe, const View<>& view, Timi
 
 /// What plain double takes when nothing else is timed.
 [[nodiscard]] WorkTime time_alone(const Globe& globe, const View<>& view);
-/// Says that every ratio would be wrong; nothing if two times of plain double, alone and among
-/// others, are within a quarter, or so short that they depend on what the caches hold.
-[[nodiscard]] std::string disagreement(const WorkTime& alone, const WorkTime& among);
 /// The same as time_rows, and a check of it: the first row, plain double, must take as long as it
 /// took `alone` before any wide instructions ran in this process.
 /// Errors: std::runtime_error with the disagreement, after three timings.
 void time_rows_beside(WorkTime alone, std::span<Row> rows, const Globe& globe, const View<>& view,
                       Timing& timing);
-
-/// Times with a smaller ratio are treated as equal.
-inline constexpr double same_time = 1.05;
-/// A time with a larger spread was taken on a busy machine.
-inline constexpr double quiet_spread = 1.1;
 
 /// True if a row of places or curves keeps to a budget by its bounds, whatever was measured. It is
 /// `exact` if it is plain double with the reference formula, or if no rounding can change a byte.

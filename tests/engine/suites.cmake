@@ -1,9 +1,10 @@
 # The suites of what makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/. Included by tests/CMakeLists.txt.
 
 file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" number/test_*.cpp engine/files/test_*.cpp
-  engine/fast/test_*.cpp engine/draw/test_*.cpp engine/run/test_*.cpp engine/compare/test_interleaved.cpp)
+  engine/fast/test_*.cpp engine/draw/test_*.cpp engine/run/test_*.cpp engine/compare/test_interleaved.cpp
+  engine/compare/test_trade.cpp)
 list(TRANSFORM suites REPLACE "[.]cpp$" "")
-list(FILTER suites EXCLUDE REGEX "number/test_number|test_fetched|test_certainty_map|test_session_line")
+list(FILTER suites EXCLUDE REGEX "number/test_number|test_fetched|test_certainty_map|test_session_line|test_trade_options")
 if(NOT WIN32)
   list(REMOVE_ITEM suites engine/files/test_windows_files)
 endif()
@@ -22,6 +23,11 @@ if(NOT TEXMAP_LEARN)
   target_compile_definitions(test_session_line PRIVATE TEXMAP_ALL_NUMBERS)
 endif()
 add_dependencies(test_session_line 05_y_rotation 07_earth_by_sampling 09_texture_filtering 11_bump_and_normal_maps)
+if(NOT TEXMAP_LEARN)
+  add_suite(engine/run/test_trade_options ON files LABELS common)
+  target_compile_definitions(test_trade_options PRIVATE TEXMAP_BIN="$<TARGET_FILE_DIR:05_y_rotation>/")
+  add_dependencies(test_trade_options 01_plain_spheres 06_phong_texture_blend 07_earth_by_sampling)
+endif()
 add_suite(engine/draw/test_certainty_map ON run LABELS extremes)
 
 # The kernels' coefficients against the program that fits them.

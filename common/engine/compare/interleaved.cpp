@@ -10,6 +10,7 @@
 
 #include "engine/files/stopwatch.hpp"
 #include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap {
 
@@ -47,6 +48,17 @@ int rounds_within(double milliseconds, const std::vector<Work>& works, int least
   double round = 1e-3;
   for (const WorkTime& time : work_times(works, 1)) round += time.wall;
   return std::max(least, static_cast<int>(std::min<double>(milliseconds / round, most)));
+}
+
+std::string disagreement(const WorkTime& alone, const WorkTime& among) {
+  const auto [shorter, longer] = std::minmax(alone.processor, among.processor);
+  if (longer < 1 || longer <= 1.25 * shorter) return "";
+  return text(
+      "plain double took %.1f ms for a picture before packs were timed, and %.1f ms among "
+      "them. Every ratio would be wrong, so none is shown. Either this machine changed its "
+      "speed meanwhile: run again when nothing else runs. Or packs leave the processor in a "
+      "state that slows plain numbers: with --instructions baseline both times are then equal",
+      alone.processor, among.processor);
 }
 
 }  // namespace texmap

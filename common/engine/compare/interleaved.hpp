@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace texmap {
@@ -30,5 +31,15 @@ struct WorkTime {
 /// fewer.
 [[nodiscard]] int rounds_within(double milliseconds, const std::vector<Work>& works, int least,
                                 int most);
+
+/// Times with a smaller ratio are treated as equal.
+inline constexpr double same_time = 1.05;
+/// A time with a larger spread was taken on a busy machine.
+inline constexpr double quiet_spread = 1.1;
+
+/// Says that every ratio would be wrong; nothing if two times of the work that all others are
+/// measured by, alone and among others, are within a quarter, or so short that they depend on what
+/// the caches hold.
+[[nodiscard]] std::string disagreement(const WorkTime& alone, const WorkTime& among);
 
 }  // namespace texmap

@@ -17,9 +17,9 @@ constexpr long most_pixels = 1L << 26;
 
 }  // namespace
 
-Chosen::Chosen(std::string_view chapter, const Offer& offer, const About& about)
-    : turntable(offer.turntable), one_number_(offer.one_number), line_(offer.line) {
-  settings.out = "out/" + std::string(chapter) + ".png";
+Chosen::Chosen(std::string_view name, const Offer& offer, const About& about)
+    : chapter(name), turntable(offer.turntable), one_number_(offer.one_number), line_(offer.line) {
+  settings.out = "out/" + chapter + ".png";
   default_out_ = settings.out;
   settings.width = about.size.width;
   settings.height = about.size.height;
@@ -65,6 +65,16 @@ Chosen::Chosen(std::string_view chapter, const Offer& offer, const About& about)
     line.text("--at", "COLUMN,ROW", settings.at,
               "the pixel that stays in its place when --zoom enlarges the picture, counted from "
               "0,0 at the upper left; without this option, the middle");
+  }
+  if (offer.camera && !one_number_) {
+    line.flag("--trade", trade,
+              "in place of a picture, measure the ways to draw it: the time and the error of every "
+              "number, and of what else this program lets you choose");
+  }
+  if (offer.extremes && !one_number_) {
+    line.flag("--extremes", extremes,
+              "in place of a picture, find the sizes and distances at which float and double "
+              "change it");
   }
   line.flag("--quiet", settings.quiet, "show no progress, and print nothing on success");
 }

@@ -43,6 +43,7 @@ struct Offer {
   bool camera = true;               ///< --number, --samples, --zoom: of pictures that a camera sees
   bool spheres = false;             ///< --spheres
   bool surfaces = false;            ///< --show
+  bool extremes = false;            ///< --extremes
   bool one_number = false;          ///< the program was built for learning, with double alone
 };
 
@@ -55,7 +56,9 @@ class Chosen {
   Chosen(const Chosen&) = delete;  // the options keep the places of its settings
   Chosen& operator=(const Chosen&) = delete;
 
+  const std::string chapter;  ///< its folder's name
   Settings settings;
+  bool trade = false, extremes = false;  ///< to be measured, in place of a picture
   Turntable* const turntable;
   const Stopwatch since_start{};
 

@@ -58,14 +58,14 @@ template <class Paint>
   return {};
 }
 
-/// Gathers a lesson's light, saves the picture, and prints the kernels and the error.
+/// The picture of the light that a lesson gathers; prints the kernels and the error.
 template <class Lesson>
-void show_gathered(Session& session, const Lesson& lesson, const std::string& suffix = "") {
+[[nodiscard]] Image draw_gathered(Session& session, const Lesson& lesson, int width, int height) {
   const Settings& settings = session.settings;
   const SamplingOptions& options = lesson.sampling;
   const bool limited = options.time_limit > 0 || options.target_error > 0;
   const int most = limited && !session.chosen.was_given("--samples") ? 1 << 20 : settings.samples;
-  const double reads = double{1} * settings.width * settings.height * most;
+  const double reads = double{1} * width * height * most;
   if (!settings.budget.is_exact() && lesson.objects.size() > 1)
     throw UsageError("--budget is for a lone object, which lights no other: add --scene book");
   const KernelPlan plan = plan_for(lesson.objects.front().paint, settings.budget, reads);
@@ -73,15 +73,15 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   const bool float_packs = plan.floats_are_enough && !session.chosen.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
   const auto& objects = objects_to_draw(plan, lesson);
-  const View<> view = session.view(lesson.stage.camera, settings.width, settings.height);
+  const View<> view = session.view(lesson.stage.camera, width, height);
 
   std::atomic<double> error_so_far = infinity<double>();
   session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
   std::string sentence;
-  const Image image = session.timed(0, [&](RenderSettings render_settings) {
+  Image image = session.timed(0, [&](RenderSettings render_settings) {
     Image picture;
     if (!limited) {  // each row is developed when it is complete
-      picture = Image(settings.width, settings.height);
+      picture = Image(width, height);
       render_settings.error_so_far = [&error_so_far](double error) { error_so_far = error; };
       render_settings.take_row = [&](int row, const Rgb* light) {
         develop_row(light, options.transfer, picture, row);
@@ -94,14 +94,13 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
           return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)}, bounds,
                         number, render_settings);
         });
-    session.count_rays(static_cast<double>(settings.width) * settings.height *
-                       static_cast<double>(film.samples()));
+    session.count_rays(static_cast<double>(width) * height * static_cast<double>(film.samples()));
     sentence = describe_error(film, options);
     return limited ? develop(film, options.transfer, settings.threads) : std::move(picture);
   });
   session.remark = {};
   if (!settings.quiet) print(sentence);
-  session.save(image, suffix);
+  return image;
 }
 
 }  // namespace texmap

@@ -2,9 +2,10 @@
 #pragma once
 #include <concepts>
 #include <limits>
-#include <stdexcept>
+#include <memory>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "engine/draw/draw.hpp"
 #include "engine/draw/lesson_surfaces.hpp"
@@ -15,6 +16,7 @@
 #include "engine/run/gather_session.hpp"
 #include "engine/run/planned_highlight.hpp"
 #include "engine/run/session.hpp"
+#include "engine/run/trade.hpp"
 #include "engine/run/turntable.hpp"
 #include "scene/sphere_choice.hpp"
 
@@ -38,24 +40,15 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
       });
     }
   }
-  return timed(static_cast<double>(width) * height * settings.samples,
-               [&](const RenderSettings& render_settings) -> Image {
-                 const View<> seen = view(lesson.stage.camera, width, height);
-                 if constexpr (std::derived_from<Lesson, GathersLight>) {
-                   throw std::logic_error("light is gathered, see show_gathered");
-                 } else {
-                   return texmap::draw(lesson, seen, settings.number, render_settings);
-                 }
-               });
-}
-
-/// Draws and saves one picture of a lesson.
-template <class Lesson>
-void show_picture(Session& session, const Lesson& lesson, const std::string& suffix = "") {
   if constexpr (std::derived_from<Lesson, GathersLight>) {
-    if (session.settings.show == Shown::color) return show_gathered(session, lesson, suffix);
+    return draw_gathered(*this, lesson, width, height);
+  } else {
+    return timed(static_cast<double>(width) * height * settings.samples,
+                 [&](const RenderSettings& render_settings) {
+                   const View<> seen = view(lesson.stage.camera, width, height);
+                   return texmap::draw(lesson, seen, settings.number, render_settings);
+                 });
   }
-  session.save(session.draw(lesson), suffix);
 }
 
 /// Lessons with a list of spheres, for which the user may choose formulas.
@@ -64,6 +57,10 @@ concept HasSpheres = requires(const Lesson& lesson) {
   lesson.objects.front().shape.form;
 };
 
+/// Those whose scene is such a list, a lamp and a camera: no floor, which is not a sphere.
+template <class Lesson>
+concept HasMovableScene = HasSpheres<Lesson> && !std::derived_from<Lesson, ShowsMeanLight>;
+
 /// What a program of a lesson offers its user: first the options of the lesson's groups.
 template <class Lesson>
 [[nodiscard]] Offer offer_of(Lesson& lesson, CommandLine& line) {
@@ -71,6 +68,7 @@ template <class Lesson>
               .camera = !std::derived_from<Lesson, SheetLesson>,
               .spheres = HasSpheres<Lesson>,
               .surfaces = HasSurfaces<Lesson>,
+              .extremes = HasMovableScene<Lesson>,
               .one_number = !all_numbers};
   lesson.options().declare(offer);
   return offer;
@@ -99,11 +97,11 @@ void build(Lesson& lesson, Chosen& chosen) {
 template <class Lesson>
 void Session::draw_all(Lesson& lesson) {
   Turntable* turn = chosen.turntable;
-  if (turn == nullptr || turn->frames == 0) return show_picture(*this, lesson);
+  if (turn == nullptr || turn->frames == 0) return save(draw(lesson));
   for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
   for (turn->frame = 0; turn->frame < turn->frames; ++turn->frame) {
     build(lesson, chosen);
-    show_picture(*this, lesson, frame_suffix(turn->frame));
+    save(draw(lesson), frame_suffix(turn->frame));
   }
 }
 
@@ -126,6 +124,76 @@ void draw_and_save(Lesson& lesson, Session& session) {
   } else {
     session.draw_all(lesson);
   }
+}
+
+/// What draws a lesson's picture as its program does after these words.
+template <class Lesson>
+std::function<Image()> drawing_by(const std::string& chapter,
+                                  const std::vector<std::string>& words) {
+  struct Drawing {
+    Lesson lesson;
+    CommandLine line;
+    Chosen chosen;
+    explicit Drawing(const std::string& name)
+        : line(name, ""), chosen(name, offer_of(lesson, line), Lesson::about) {}
+  };
+  const auto drawing = std::make_shared<Drawing>(chapter);
+  Chosen& chosen = drawing->chosen;
+  static_cast<void>(drawing->line.parse(words));
+  chosen.check();
+  if (draws_itself<Lesson>) chosen.default_size(800, 600);  // its scene, in place of its sheet
+  build(drawing->lesson, chosen);
+  return [drawing] { return Session(drawing->chosen).draw(drawing->lesson); };
+}
+
+/// A lesson with all of its scene larger and moved, drawn in one number. The picture should not
+/// change.
+template <HasMovableScene Lesson>
+Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale, double moved) {
+  const auto move = [&](Point& point) { point = point * scale + Vec3d{moved, moved, moved}; };
+  for (auto& object : lesson.objects) {
+    move(object.shape.center);
+    object.shape.radius *= scale;
+  }
+  move(lesson.stage.camera.eye);
+  move(lesson.stage.camera.target);
+  if constexpr (requires { lesson.stage.light; }) move(lesson.stage.light.position);
+  if constexpr (std::derived_from<Lesson, GathersLight>) {
+    lesson.sampling.lens.focus_distance *= scale;
+    lesson.sampling.lens.shift *= scale;
+  }
+  if constexpr (requires { lesson.bumps; }) lesson.bumps.relief *= scale;
+  Settings& settings = chosen.settings;
+  settings.number = in_float ? NumberKind::float_ : NumberKind::double_;
+  if (!chosen.was_given("--samples")) settings.samples = std::min(settings.samples, 4);
+  choose_spheres(chosen, lesson);
+  return Session(chosen).draw(lesson);
+}
+
+/// Measures in place of drawing, if the user asked for that.
+template <class Lesson>
+[[nodiscard]] bool measures(const Lesson& lesson, Chosen& chosen, const CommandLine& line,
+                            const std::vector<std::string>& words) {
+  if (chosen.trade) {
+    std::vector<Instructions> packs;
+    for (const Instructions each : all_instructions) {
+      if (has_packs_of(each)) packs.push_back(each);
+    }
+    show_trade(chosen, line, words, packs, [&](const std::vector<std::string>& changed) {
+      return drawing_by<Lesson>(chosen.chapter, changed);
+    });
+  }
+  if constexpr (HasMovableScene<Lesson>) {
+    if (chosen.extremes) {
+      chosen.default_size(320, 240);
+      chosen.settings.quiet = true;
+      show_extremes(chosen, !has_only_double<Lesson>,
+                    [&](bool in_float, double scale, double moved) {
+                      return draw_elsewhere(chosen, lesson, in_float, scale, moved);
+                    });
+    }
+  }
+  return chosen.trade || chosen.extremes;
 }
 
 /// A chapter's main program: reads what the user chose, builds the lesson, draws and saves.
@@ -157,6 +225,9 @@ template <class Lesson>
     if (!line.parse(argc, argv)) return;
     chosen.check();
     build(lesson, chosen);
+    if constexpr (all_numbers && !std::derived_from<Lesson, SheetLesson>) {
+      if (measures(lesson, chosen, line, typed_words(argc, argv))) return;
+    }
     Session session(chosen);
     draw_and_save(lesson, session);
   });

@@ -25,7 +25,6 @@ class Session {
     return draw(lesson, settings.width, settings.height);
   }
   /// The lesson's picture in another size. Defined in run_chapter.hpp.
-  /// Errors: std::logic_error for a lesson that gathers light, unless --show was given.
   template <class Lesson>
   [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
   /// Draws and saves the lesson's picture, or all those of its turntable. Defined in

@@ -1,0 +1,235 @@
+// The options --trade and --extremes.
+#include "engine/run/trade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/compare/difference.hpp"
+#include "engine/compare/trade.hpp"
+#include "engine/draw/number_names.hpp"
+#include "engine/draw/progress.hpp"
+#include "engine/files/save_png.hpp"
+#include "engine/files/system.hpp"
+#include "engine/files/text.hpp"
+#include "engine/run/chosen.hpp"
+#include "engine/run/command_line.hpp"
+
+namespace texmap {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string joined(const Words& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
+/// The words of an option that takes one of a few; none if the program has no such option.
+Words choices_of(const CommandLine& line, std::string_view name) {
+  Words choices;
+  for (const CommandLine::Option& option : line.options()) {
+    if (option.name != name) continue;
+    const std::string& list = option.placeholder;
+    for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end + 1) {
+      end = std::min(list.find('|', begin), list.size());
+      choices.push_back(list.substr(begin, end - begin));
+    }
+  }
+  return choices;
+}
+
+/// The words without an option and its value, or without a flag.
+Words without(const Words& words, const std::string& option, bool has_value = true) {
+  Words left;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == option) {
+      i += has_value ? 1U : 0U;
+    } else if (!words[i].starts_with(option + "=")) {
+      left.push_back(words[i]);
+    }
+  }
+  return left;
+}
+
+/// The parts of a trade as they are collected.
+class Collector {
+ public:
+  Collector(const CommandLine& line, const Words& words, const DrawingBy& drawing)
+      : line_(line), drawing_(drawing), typed_(without(words, "--trade", false)) {
+    typed_ = without(without(typed_, "--threads"), "--quiet", false);
+  }
+
+  [[nodiscard]] Words choices(const std::string& option) const {
+    return line_.was_given(option) ? Words() : choices_of(line_, option);
+  }
+  /// What the user typed, but for what is the same for all.
+  [[nodiscard]] const Words& typed() const { return typed_; }
+
+  /// What draws the picture by what was typed and these words.
+  [[nodiscard]] std::function<Image()> draw(const Words& more) const {
+    Words words = typed_;
+    for (const std::string& word : more) {
+      if (word.starts_with("--")) words = without(words, word);
+    }
+    words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), {"--threads", "1", "--quiet"});
+    return drawing_(words);
+  }
+  /// Adds a way; says why where its words do not go together with the others.
+  void add(TradePart& part, const Words& more) {
+    try {
+      Way way{joined(more), draw(more)};
+      if (more.front() == "--budget") static_cast<void>(way.draw());  // some are refused there
+      part.ways.push_back(std::move(way));
+    } catch (const UsageError& error) {
+      refused = error.what();
+    }
+  }
+  std::string refused;  ///< why the last way that was refused was
+
+ private:
+  const CommandLine& line_;
+  const DrawingBy& drawing_;
+  Words typed_;
+};
+
+/// Numbers, formulas and budgets, which should all draw what plain double draws.
+TradePart same_picture(Collector& collect, const std::vector<Instructions>& packs) {
+  const Words numbers = collect.choices("--number");
+  const Words base = numbers.empty() ? Words() : Words{"--number", "double"};
+  TradePart part{
+      "The same picture: what differs from the first way's is an error", collect.draw(base), {}};
+  collect.add(part, base.empty() ? Words{"--samples", "1"} : base);
+  for (const std::string& number : numbers) {
+    if (number == "double" || number == "interval") continue;
+    if (!number.ends_with("-pack")) {
+      collect.add(part, {"--number", number});
+      continue;
+    }
+    for (const Instructions each : packs)
+      collect.add(part, {"--number", number, "--instructions", name_of(each)});
+  }
+  for (const std::string& form : collect.choices("--spheres")) {
+    if (form == "robust") continue;
+    Words words = base;
+    words.insert(words.end(), {"--spheres", form});
+    collect.add(part, words);
+  }
+  if (!collect.choices("--budget").empty()) {
+    for (const char* budget : {"texels=0.01", "texels=0.1", "levels=1", "levels=4"})
+      collect.add(part, {"--budget", budget});
+  }
+  return part;
+}
+
+/// Samples, samplers, filters and ways to light, which should all come near the same picture.
+std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int samples) {
+  const Words samplers = collect.choices("--sampler"), filters = collect.choices("--filter");
+  const auto many = [&](Words words, int times) {
+    words.insert(words.end(), {"--samples", std::to_string(times)});
+    return words;
+  };
+  TradePart part{"", {}, {}};
+  if (choices_of(line, "--sampler").empty()) {
+    const Words nearest = filters.empty() ? Words() : Words{"--filter", "nearest"};
+    part.title = "Samples" + std::string(filters.empty() ? "" : " and filters") +
+                 ": what differs from 256 samples a pixel is an error";
+    part.right = collect.draw(many(nearest, 256));
+    for (const int each : {1, 4, 16}) collect.add(part, many(nearest, each));
+    for (const std::string& filter : filters) {
+      if (filter != "nearest") collect.add(part, {"--filter", filter});
+    }
+    return part;
+  }
+  if (line.was_given("--time-limit") || line.was_given("--target-error")) return {};
+  part.title = "Noise: what differs from 16 times the samples, by another seed, is an error";
+  Words other = many({}, std::min(16 * samples, 4096));
+  if (!line.was_given("--seed")) other.insert(other.end(), {"--seed", "1"});
+  part.right = collect.draw(other);
+  for (const int each : {samples, std::max(samples / 4, 1), 4 * samples})
+    collect.add(part, many({}, each));
+  for (const std::string& sampler : samplers) collect.add(part, {"--sampler", sampler});
+  for (const std::string& light : collect.choices("--light")) collect.add(part, {"--light", light});
+  return part;
+}
+
+}  // namespace
+
+void show_trade(const Chosen& chosen, const CommandLine& line, const Words& words,
+                const std::vector<Instructions>& packs, const DrawingBy& drawing) {
+  std::filesystem::path file = path_of(chosen.settings.out);
+  file = file.replace_extension() += "_trade.svg";
+  check_output(file);
+  Collector collect(line, words, drawing);
+  std::vector<TradePart> parts{same_picture(collect, packs)};
+  const std::string refused = collect.refused;
+  if (std::optional<TradePart> other = noise(collect, line, chosen.settings.samples))
+    parts.push_back(std::move(*other));
+  const std::string number = name_of(path_of(chosen.chapter).filename()).substr(0, 2);
+  const std::string typed = joined(without(collect.typed(), "--out"));
+  const std::string command = "./course run " + number + (typed.empty() ? "" : " " + typed);
+  {
+    Progress progress(!chosen.settings.quiet);
+    measure_trade(parts, 15, [&](int done, int all) { progress.report(done, all); });
+  }
+  std::string said;
+  for (const TradePart& part : parts)
+    said += table_of(part, command) + recommendation(part, command) + "\n";
+  if (!refused.empty()) said += "Not measured: " + refused + "\n";
+  if (choices_of(line, "--budget").empty())
+    said += "No --budget: this chapter computes nothing that has a shorter formula\n";
+  write_text_atomically(file, plot_of(parts, command));
+  print(said + "Time across and error up: " + name_of(file) + "\n");
+}
+
+void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) {
+  const Image right = draw(false, 1, 0);
+  constexpr int decades = 20;
+  const auto limits = std::array{1.0 / static_cast<double>(right.pixels.size()), 0.01, 0.25};
+  std::string lines = text(
+      "%d x %d pixels; a pixel differs by more than one level from that in "
+      "double, near the origin, in the lesson's size\n"
+      "                          a pixel  1 %% of them   a quarter\n",
+      right.width, right.height);
+  const struct {
+    const char* words;
+    double factor;
+    bool moves;
+  } ladders[] = {{"everything smaller", 0.1, false},
+                 {"everything larger", 10, false},
+                 {"everything moved by", 10, true}};
+  Progress progress(!chosen.settings.quiet);
+  int done = 0;
+  for (const bool in_float : {true, false}) {
+    if (in_float && !has_float) continue;
+    for (const auto& ladder : ladders) {
+      std::array<std::string, 3> first;
+      for (int decade = 0; decade <= decades && first.back().empty(); ++decade) {
+        const double at = std::pow(ladder.factor, decade);
+        const double moved = decade == 0 ? 0 : at / 10;  // from 1 on
+        const Image image = ladder.moves ? draw(in_float, 1, moved) : draw(in_float, at, 0);
+        const Figures figures = measure(right, image, {}, Detail::pixels);
+        const double share = static_cast<double>(pixels_off_by_more_than(figures, 1)) /
+                             static_cast<double>(figures.pixels_compared);
+        for (std::size_t i = 0; i < first.size(); ++i) {
+          if (share >= limits[i] && first[i].empty())
+            first[i] = decade == 0 ? "at once" : text("%g", ladder.moves ? moved : at);
+        }
+        progress.report(std::min(++done, 6 * decades), 6 * decades);
+      }
+      lines += text("%-6s %-20s", in_float ? "float" : "double", ladder.words);
+      for (const std::string& each : first)
+        lines += text("  %10s", each.empty() ? "never" : each.c_str());
+      lines += "\n";
+    }
+  }
+  print(lines + text("never: not by %d powers of ten. The way to find out why: --number interval "
+                     "shows the pixels\nthat rounding could change, and chapter 14 the usual "
+                     "causes\n",
+                     decades));
+}
+
+}  // namespace texmap
