@@ -111,29 +111,28 @@ struct UnsureSky {
   }
 };
 
-/// Chapter 07's lesson, which follows a path on to a uniform sky.
-struct ScatterAnyway : chapter_07::Lesson {
+/// Chapter 07's lesson with what its scene does not require.
+///
+/// @tparam scatters    follows a path on to a uniform sky
+/// @tparam numbers     draws numbers for a lens and for an exposure although it is sharp
+/// @tparam everywhere  traces rays also where the globe cannot be seen
+template <bool scatters, bool numbers, bool everywhere>
+struct Beginner : chapter_07::Lesson {
+  static constexpr bool is_traced_everywhere = everywhere;
+
   template <class Real>
   Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
     const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
-    return light_along(scene.objects, ray, UnsureSky{scene.sky}, sampling.bounces, random);
+    if constexpr (numbers) {
+      keep(random.next_2d());
+      keep(random.next_2d());
+    }
+    const auto through = [&](const auto& sky) {
+      return light_along(scene.objects, ray, sky, sampling.bounces, random);
+    };
+    if constexpr (scatters) return through(UnsureSky{scene.sky});
+    return through(scene.sky);
   }
-};
-
-/// Chapter 07's lesson, which draws numbers for a lens and for an exposure although it is sharp.
-struct NumbersAnyway : chapter_07::Lesson {
-  template <class Real>
-  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
-    const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
-    keep(random.next_2d());
-    keep(random.next_2d());
-    return light_along(scene.objects, ray, scene.sky, sampling.bounces, random);
-  }
-};
-
-/// Chapter 07's lesson, which traces rays also where the globe cannot be seen.
-struct WithoutBounds : chapter_07::Lesson {
-  static constexpr bool is_traced_everywhere = true;
 };
 
 /// Chapter 08's lesson without (u, v), texture and light: first hits and shadows alone.

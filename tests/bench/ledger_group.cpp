@@ -62,12 +62,12 @@ Group ledger_group() {
       drawn<HighlightAnyway, chapter_06::Lesson>());
   const std::vector<std::string> book = {"--scene", "book"};
   add("07: as the chapter draws it", "07", drawn<chapter_07::Lesson>(book));
-  add("07: a new direction under a uniform sky", "07",
-      drawn<ScatterAnyway, chapter_07::Lesson>(book));
-  add("07: numbers for a lens and an exposure that are not there", "07",
-      drawn<NumbersAnyway, chapter_07::Lesson>(book));
-  add("07: rays also where the globe cannot be seen", "07",
-      drawn<WithoutBounds, chapter_07::Lesson>(book));
+  add("07: and a new direction under a uniform sky", "07",
+      drawn<Beginner<true, false, false>, chapter_07::Lesson>(book));
+  add("07: and numbers for a lens and an exposure that are not there", "07",
+      drawn<Beginner<true, true, false>, chapter_07::Lesson>(book));
+  add("07: and rays where the globe cannot be seen: as a beginner writes it", "07",
+      drawn<Beginner<true, true, true>, chapter_07::Lesson>(book));
   return group;
 }
 

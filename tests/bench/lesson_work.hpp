@@ -43,7 +43,7 @@ class LessonWork : public Drawing {
     if constexpr (std::derived_from<Lesson, GathersLight>) {
       auto bounds = bounds_of_view(objects_, lesson_.stage.sky, lesson_.sampling.lens,
                                    plan_.smoothing, sampler_.samples());
-      if constexpr (requires { Lesson::is_traced_everywhere; }) bounds = {};
+      if constexpr (requires { requires Lesson::is_traced_everywhere; }) bounds = {};
       run_work({lesson_, objects_, view_, sampler_, bounds, settings_}, variant);
     } else {
       run_work({lesson_, view_, settings_}, variant);
