@@ -1,12 +1,12 @@
 // Names the mistake in a picture of the reader's own: ./course diagnose FILE. It tries the chapters
 // whose pictures have this size, the most similar first, so the reader need not name the chapter.
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -66,19 +66,26 @@ std::string place_of(const fs::path& root, const std::string& html, const std::s
          "\n";
 }
 
-/// What a card says to change, where it is, and the page that explains it.
+/// What a card says to change, where it is, and the page that explains it. A card is a row of a
+/// table: its picture with others and words, the cause, the change, and a link to a chapter.
 std::string card_in(const fs::path& root, const std::string& card, std::string& chapter) {
   const std::vector<std::uint8_t> page = read_file(root / "docs/symptoms.md", max_file_bytes);
   std::istringstream lines(std::string(page.begin(), page.end()));
+  const std::string image = "/" + card + ".png)", ends = ".png) ", link = "[chapter ";
   for (std::string line; std::getline(lines, line);) {
-    static const std::regex row(
-        R"(\| !\[[^\]]*\]\([^)]*?(\w+)\.png\)(?: !\[[^\]]*\]\([^)]*\))* (.*) \|)"
-        R"( .* \| (.*) \| .*chapter (\d\d).*)");
-    std::smatch cells;
-    if (!std::regex_match(line, cells, row) || cells[1] != card) continue;
-    chapter = cells[4];
-    return "  change      " + cells[3].str() + "\n  the card    My Earth is … " + cells[2].str() +
-           "\n              " + place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
+    const std::size_t first = line.find(image);
+    if (!line.starts_with("| ![") || first == std::string::npos || first > line.find(ends))
+      continue;
+    std::vector<std::string> cells;
+    for (std::size_t begin = 2, end = 0; begin < line.size(); begin = end + 3) {
+      end = std::min(line.find(" | ", begin), line.size());
+      cells.push_back(line.substr(begin, end - begin));
+    }
+    if (cells.size() < 4 || cells[3].find(link) == std::string::npos) continue;
+    chapter = cells[3].substr(cells[3].find(link) + link.size(), 2);
+    return "  change      " + cells[2] + "\n  the card    My Earth is … " +
+           cells[0].substr(cells[0].rfind(ends) + ends.size()) + "\n              " +
+           place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
   }
   return "";
 }
@@ -268,6 +275,22 @@ double distance(const Image& mine, const Image& right) {
   return least;
 }
 
+/// The chapter that a file's name says: 03 in 03.png, my_03_globe.png and ch03.png, none in
+/// 3_amb05.png.
+std::string number_in(const std::string& name) {
+  const auto digit = [&](std::size_t i) {
+    return i < name.size() && name[i] >= '0' && name[i] <= '9';
+  };
+  for (std::size_t i = 0; i + 2 < name.size(); ++i) {
+    const std::string number = name.substr(i, 2), before = name.substr(0, i);
+    const bool is_alone = i == 0 || std::isalnum(static_cast<unsigned char>(name[i - 1])) == 0 ||
+                          before.ends_with("ch") || before.ends_with("chapter");
+    if (is_alone && digit(i) && digit(i + 1) && !digit(i + 2) && number > "00" && number < "15")
+      return number;
+  }
+  return "";
+}
+
 /// The chapters' own pictures that may be meant, the nearest first.
 /// Errors: UsageError; FileError with the sizes that there are.
 std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
@@ -292,13 +315,9 @@ std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
   }
   std::vector<WrongPicture> fitting;
   for (auto& [error, one] : nearest) fitting.push_back(std::move(one));
-  // A file's name may say which it is: 03.png, my_03_globe.png.
-  std::smatch number;
-  const std::string name = name_of(path_of(choices.file).filename());
-  if (std::regex_search(name, number, std::regex("(?:^|[^0-9])(0[1-9]|1[0-4])[^0-9]"))) {
-    const auto is_another = [&](const auto& one) { return !one.name.starts_with(number[1].str()); };
-    if (!std::ranges::all_of(fitting, is_another)) std::erase_if(fitting, is_another);
-  }
+  const std::string number = number_in(name_of(path_of(choices.file).filename()));
+  const auto is_another = [&](const auto& one) { return !one.name.starts_with(number); };
+  if (!std::ranges::all_of(fitting, is_another)) std::erase_if(fitting, is_another);
   return fitting;
 }
 

@@ -133,9 +133,14 @@ TEST_CASE("a right picture with a few wrong pixels is said to be that, with the 
                   outcome.out);
     CHECK(has(outcome.out, "the first   column 10, row 20\n"));
   }
-  // A file's name says which chapter it is.
-  save_png(noise(80, 60, 4), course.folder / "my_01.png");
-  CHECK(has(course.say("my_01.png").out, "The nearest picture is 01's"));
+  // A file's name says which chapter it is; a number behind other letters is not a chapter's.
+  for (const auto& [name, chapter] : {std::pair{"noise.png", "01"},
+                                      {"my_03.png", "03"},
+                                      {"ch03.png", "03"},
+                                      {"amb03.png", "01"}}) {
+    save_png(noise(80, 60, 4), course.folder / name);
+    CHECK(has(course.say(name).out, "The nearest picture is " + std::string(chapter) + "'s"));
+  }
 }
 
 TEST_CASE("mistakes that have a card in My Earth is ... lead to it") {
