@@ -10,8 +10,8 @@
 #include "engine/draw/kinds.hpp"
 #include "engine/draw/settings.hpp"
 #include "engine/draw/threads.hpp"
+#include "engine/fast/srgb_kernel.hpp"
 #include "math/color.hpp"
-#include "math/srgb.hpp"
 #include "number/dual.hpp"
 #include "number/uint.hpp"
 #include "scene/camera.hpp"
@@ -73,11 +73,17 @@ template <class Real, class Lesson>
   return lesson(ray_through(view, column, row));
 }
 
-/// Light as a color; bytes are cut off, so half of one is added.
+/// Light as a color whose channels lie in the middle of their bytes, since those are cut off.
 template <class Real>
 [[nodiscard]] Color<Real> shown_light(const Color<Real>& light) {
-  const Real half = Real(0.5 / 255);
-  return {srgb_encode(light.r) + half, srgb_encode(light.g) + half, srgb_encode(light.b) + half};
+  const auto shown = [](const Real& channel) {
+    if constexpr (std::is_same_v<Scalar<Real>, Real> || lanes < Real >> 1) {
+      return (srgb_byte_exact(channel) + Real(0.5)) * Real(1.0 / 255);
+    } else {
+      return srgb_encode(channel) + Real(0.5 / 255);  // an interval has no one byte
+    }
+  };
+  return {shown(light.r), shown(light.g), shown(light.b)};
 }
 
 /// The color of a pixel, or of a pack of neighboring pixels: the mean of its samples.
