@@ -56,16 +56,17 @@ double distance_to(const Sphere& sphere, Vec3 origin, Vec3 direction) {
   return infinity;
 }
 
-// The first sphere that the ray meets, or none; `distance` becomes its distance, or infinity.
-const Sphere* find_nearest(Vec3 origin, Vec3 direction, double& distance) {
-  const Sphere* nearest = nullptr;
-  distance = infinity;
+struct Nearest {
+  const Sphere* sphere;  // nullptr if the ray meets none
+  double distance;
+};
+
+// The first sphere that the ray meets.
+Nearest find_nearest(Vec3 origin, Vec3 direction) {
+  Nearest nearest{nullptr, infinity};
   for (const Sphere& sphere : spheres) {
-    const double here = distance_to(sphere, origin, direction);
-    if (here < distance) {
-      distance = here;
-      nearest = &sphere;
-    }
+    const double distance = distance_to(sphere, origin, direction);
+    if (distance < nearest.distance) nearest = {&sphere, distance};
   }
   return nearest;
 }
@@ -81,8 +82,7 @@ Vec3 checkerboard(Vec3 n) {
 
 // The color that the ray from the eye sees.
 Vec3 color_along(Vec3 direction) {
-  double distance = 0;
-  const Sphere* sphere = find_nearest(eye, direction, distance);
+  const auto [sphere, distance] = find_nearest(eye, direction);
   if (!sphere) {  // the sky: white below, blue above
     const double t = (direction.y + 1) / 2;
     return Vec3{1, 1, 1} * (1 - t) + Vec3{0.5, 0.7, 1} * t;
@@ -90,8 +90,7 @@ Vec3 color_along(Vec3 direction) {
   const Vec3 point = eye + direction * distance;
   const Vec3 normal = (point - sphere->center) * (1 / sphere->radius);
   const Vec3 to_lamp = normalize(lamp - point);
-  double to_blocker = 0;
-  find_nearest(point, to_lamp, to_blocker);
+  const double to_blocker = find_nearest(point, to_lamp).distance;
   double light = 0.2;
   if (to_blocker > length(lamp - point)) light += 0.8 * std::max(0.0, dot(normal, to_lamp));
   return (sphere->checkered ? checkerboard(normal) : sphere->color) * light;
