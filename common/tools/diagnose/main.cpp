@@ -350,6 +350,10 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
   const auto stages = stages_of(choices, mine, candidates);
   std::string found = by_slips(choices, mine, stages);
   if (!found.empty()) return found;
+  for (const auto& [one, stage] : stages) {
+    const slips::Slip slip = slips::wrong_shadows(mine, stage);
+    if (!slip.words.empty()) return explained(choices, *one, {slip});
+  }
   bool is_sure = false;
   for (const WrongPicture& one : candidates) {
     if (asked_for(choices, one)) return "";

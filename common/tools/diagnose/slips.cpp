@@ -8,6 +8,7 @@
 #include <functional>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -396,13 +397,14 @@ std::vector<const mistakes::LightMistake*> light_slips(const StageView& stage) {
   return all;
 }
 
-enum class Fit { nothing, factors, exponent };  // of the material, to the picture
+enum class Fit { nothing, factors, exponent, blend };  // of the light, to the picture
 
 /// Which row of each table, 0 for right; `degrees` is an angle, and `light` a row of light_slips.
 struct Way {
   std::array<int, places> row{};
   bool on_squares = true;                   ///< whether the slips of (u, v) reach the checkerboards
   std::optional<PhongMaterial> material{};  ///< in place of the lesson's, as the picture has it
+  std::optional<double> blend{};            ///< of the globe's texture with its light
 };
 
 Vec3d axes_of(const Way& way, const Vec3d& d) {
@@ -477,25 +479,42 @@ class Search {
     choose(way, 0, slips);
     fit = Fit::factors;
     if (found.empty() && slips > 0) choose(way, 0, slips - 1);
-    fit = Fit::exponent;
-    if (found.empty() && slips > 0 && shining_.specular > 0) choose(way, 0, slips - 1);
+    for (const Fit each : {Fit::exponent, Fit::blend}) {
+      fit = each;
+      if (found.empty() && slips > 0 && shining_.specular > 0) choose(way, 0, slips - 1);
+    }
     return found;
+  }
+
+  /// How far a way is from the picture, at few pixels.
+  [[nodiscard]] int distance(const Way& way) const {
+    int sum = 0;
+    for (const std::size_t i : probes_)
+      sum += channel_difference(color(way, stage_.pixels[i]), at(way, stage_.pixels[i]));
+    return sum;
+  }
+  /// The twentieths of texture in a blend with which a way is nearest to the picture.
+  [[nodiscard]] double with_blend(Way way) const {
+    const auto distance_at = [&](int twentieths) {
+      way.blend = twentieths / 20.0;
+      return distance(way);
+    };
+    std::array<int, 21> blends{};
+    std::iota(blends.begin(), blends.end(), 0);
+    return *std::ranges::min_element(blends, {}, distance_at) / 20.0;
   }
 
   /// The whole exponent of the highlight with which a way is nearest to the picture.
   [[nodiscard]] PhongMaterial with_exponent(Way way) const {
     PhongMaterial material = shining_;
-    const auto distance = [&](double exponent) {
+    const auto distance_at = [&](double exponent) {
       material.shininess = exponent;
       way.material = material;
-      int sum = 0;
-      for (const std::size_t i : probes_)
-        sum += channel_difference(color(way, stage_.pixels[i]), at(way, stage_.pixels[i]));
-      return sum;
+      return distance(way);
     };
     std::vector<double> exponents{128, 150, 200, 256, 300, 500, 1000};
     for (int i = 1; i <= 100; ++i) exponents.push_back(i);
-    material.shininess = *std::ranges::min_element(exponents, {}, distance);
+    material.shininess = *std::ranges::min_element(exponents, {}, distance_at);
     return material;
   }
 
@@ -532,6 +551,10 @@ class Search {
 
   /// What a fitted material has otherwise than the lesson.
   [[nodiscard]] Slip slip(const PhongMaterial& is) const {
+    if (is.lambertian.diffuse < 0.005) {
+      return {"no light of the lamp arrives: its factor is 0, or the lamp lies below the ground",
+              "`lamp = (5, 5, 5)`, with y upward"};
+    }
     std::string words;
     const auto say = [&](const char* what, double now, double should) {
       if (std::abs(now - should) < 0.005) return;
@@ -615,6 +638,9 @@ class Search {
                           of_v[reached ? row[v_form] : 0].calculate(v, d.y)};
       lit.color = seen.on_checkers ? square(row[squares], uv) : in_picture(way, uv);
     }
+    if (way.blend && lit.on_globe) {
+      return mix(gray(clamp(lit.diffuse() + lit.specular(), 0.0, 1.0)), lit.color, *way.blend);
+    }
     const auto* slip = lights_[static_cast<std::size_t>(row[light])];
     return slip == nullptr ? lit.right() : slip->shade(lit);
   }
@@ -667,6 +693,7 @@ class Search {
       if (!on_squares && (!moves || stage_.picture.pixels.empty())) return;
       if (fit == Fit::factors) way.material = fitted(way);
       if (fit == Fit::exponent) way.material = with_exponent(way);
+      if (fit == Fit::blend) way.blend = with_blend(way);
       if (explains(way)) return found.push_back(way);
     }
   }
@@ -731,6 +758,12 @@ Explanation explain_changed(const Image& drawn, const StageView& right, const St
       const int row = way.row[static_cast<std::size_t>(place)];
       if (row != 0) slips.push_back(search.slip(place, row));
       if (place == light && way.material) slips.push_back(search.slip(*way.material));
+      if (place == light && way.blend) {
+        slips.push_back({text("the globe's texture is blended with its light, %g parts of texture, "
+                              "though nobody asked for a blend",
+                              *way.blend),
+                         ""});
+      }
     }
     return slips;
   };
@@ -801,6 +834,36 @@ bool has_other_colors(const Image& drawn, const StageView& stage) {
     impossible += std::max({color.r, color.g, color.b}) > 1.02 ? 1 : 0;
   }
   return lit > 500 && around_wrong * 100 <= around && impossible * 50 <= lit && unlike * 10 >= lit;
+}
+
+Slip wrong_shadows(const Image& drawn, const StageView& stage) {
+  long dark = 0, bright = 0, other = 0, lit = 0, borders = 0;
+  bool last_dark = false;
+  for (const Seen& seen : stage.pixels) {
+    const Rgb8 is = drawn.at(seen.column, seen.row);
+    const bool right = alike(is, bytes_of_color(seen.color));
+    const auto is_with = [&](double cosine) {
+      return seen.lit && alike(is, bytes_of_color(mistakes::Lit(*seen.lit).with_cosine(cosine)));
+    };
+    lit += seen.lit && seen.lit->light.cosine > 0 ? 1 : 0;
+    const bool is_dark = !right && is_with(0);
+    borders += is_dark != last_dark ? 1 : 0;
+    last_dark = is_dark;
+    if (is_dark) {
+      ++dark;
+    } else if (!right) {
+      ++(seen.lit && is_with(std::max(seen.lit->cosine(), 0.0)) ? bright : other);
+    }
+  }
+  const auto some = [&](long count) { return count * 200 > lit && other * 50 < count; };
+  if (some(dark) && bright * 50 < dark && borders * 5 > dark) {
+    return {"full of dark dots: shadow acne, since the shadow ray meets the surface that it leaves",
+            "start a little above the surface, or leave out the object that was hit"};
+  }
+  if (some(bright) && dark * 50 < bright)
+    return {"some shadows are missing: not every object is asked",
+            "ask all objects, or all but the own"};
+  return {};
 }
 
 }  // namespace texmap::slips

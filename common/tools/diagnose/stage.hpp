@@ -195,6 +195,19 @@ void visit_changed(const StageView& stage, const Visit& visit) {
     visit({words, ""}, [&](int every) { return view_stage(chapter, lesson, view, every); });
   };
   mistakes::of_the_scene(right, visit_lesson);
+  const Point lamp = right.stage.light.position;
+  for (const double x : {-10, -5, -2, 0, 2, 5, 10}) {
+    for (const double y : {-10, -5, -2, 0, 2, 5, 10}) {
+      for (const double z : {-10, -5, -2, 0, 2, 5, 10}) {
+        Lesson lesson = right;
+        lesson.stage.light.position = {x, y, z};
+        visit_lesson("",
+                     text("the lamp is at (%g, %g, %g) and not at (%g, %g, %g)", x, y, z, lamp.x,
+                          lamp.y, lamp.z),
+                     lesson);
+      }
+    }
+  }
   for (int degrees = 20; degrees <= 110; ++degrees) {
     if (degrees == 60 || degrees == 90) continue;  // right; of_the_scene has it
     Lesson lesson = right;

@@ -5,6 +5,7 @@
 #include <doctest.h>
 
 #include "03_image_texture/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
 #include "support/made_pictures.hpp"
 
 using namespace texmap;
@@ -19,15 +20,29 @@ struct Mistake {
   double ambient = 0.2;
   bool bgr = false;
   double degrees = 60, across = 1;  ///< the angle of view; a factor on a ray's way to the right
+  Point lamp{5, 5, 5};
+  std::size_t casters = 4;  ///< that many objects cast a shadow
+  bool acne = false;        ///< a shadow ray meets what it leaves
 };
+
+/// True if a sphere lies at a distance above 0, however small.
+bool is_ahead(const Sphere<>& sphere, const Point& from, const Vec3d& to) {
+  const Vec3d out = from - sphere.center;
+  const double b = -dot(out, to), c = dot(out, out) - sphere.radius * sphere.radius;
+  return b * b >= c && b + std::sqrt(b * b - c) > 0;
+}
 
 Image drawn_with(const Mistake& mistake) {
   chapter_03::Lesson lesson = prepared<chapter_03::Lesson>();
   lesson.stage.camera.fov_y_degrees = mistake.degrees;
-  const std::vector<Object> casters = mistake.shadows ? lesson.objects : std::vector<Object>{};
+  lesson.stage.light.position = mistake.lamp;
+  std::vector<Object> casters = lesson.objects;
+  casters.resize(mistake.shadows ? mistake.casters : 0);
   const auto color_of = [&](const Ray<double>& ray) {
     const auto shade = [&](const Object& object, const Hit<double>& hit) {
-      const LightSample<double> light = sample_light(lesson.stage.light, casters, hit);
+      LightSample<double> light = sample_light(lesson.stage.light, casters, hit);
+      const Point from = ray.origin + ray.direction * distance_to(object.shape, ray);
+      if (mistake.acne && is_ahead(object.shape, from, light.to_light)) light.cosine = 0;
       Rgb color = object.paint(hit);
       if (const auto* textured = std::get_if<chapter_03::Textured>(&object.paint))
         color = textured->texture(mistake.uv(hit.normal));
@@ -87,6 +102,8 @@ TEST_CASE("a mistake, or two at once, are found by what they draw") {
         .bgr = true},
        "squeezed at the poles;red and blue are exchanged in the texture;"},
       {{.ambient = 0.43}, "the ambient light is 0.43 and not 0.2;"},
+      {{.lamp = {2, 10, 5}}, "the lamp is at (2, 10, 5) and not at (5, 5, 5);"},
+      {{.lamp = {5, -5, 5}}, "no light of the lamp arrives;"},
       {{.degrees = 47}, "the angle of view is 47 degrees and not 60;"},
       {{.bgr = true, .across = 0.75},
        "all is too narrow;red and blue are exchanged in the texture;"},
@@ -113,6 +130,28 @@ TEST_CASE("a right picture with dots, and noise, have no slips") {
   }
   CHECK(explain(test::noise(800, 600, 3), stage, 2).slips.empty());
   CHECK(explain_by_view(test::noise(800, 600, 3), stage, 1).slips.empty());
+}
+
+TEST_CASE("shadows that are wrong at some places only") {
+  const slips::StageView stage = slips::view_stage<chapter_03::Lesson>("03_image_texture");
+  const auto words = [&](const Mistake& mistake) {
+    const std::string said = wrong_shadows(drawn_with(mistake), stage).words;
+    return said.substr(0, said.find(':'));
+  };
+  CHECK(words({.acne = true}) == "full of dark dots");
+  CHECK(words({.casters = 1}) == "some shadows are missing");
+  CHECK(words({}).empty());
+  CHECK(words({.ambient = 0}).empty());
+  CHECK(words({.lamp = {5, 10, 5}}).empty());
+}
+
+TEST_CASE("a blend of the globe with its light that is no row of a list") {
+  const slips::StageView stage = slips::view_stage<chapter_06::Lesson>("06_phong_texture_blend");
+  const auto lesson = prepared<chapter_06::Lesson>({"--blend", "0.8"});
+  const Image drawn = render<double>(lesson, view_of(lesson.stage.camera, 800, 600));
+  CHECK(words_of(explain(drawn, stage, 1)) ==
+        "the globe's texture is blended with its light, 0.8 parts of texture, though nobody asked "
+        "for a blend;");
 }
 
 TEST_CASE("another texture is told from a wrong place in the right one") {
