@@ -146,7 +146,7 @@ std::vector<std::pair<const WrongPicture*, slips::StageView>> stages_of(
       slips::StageView stage = on_stage.view(on_stage.name, choices.texture);
       if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height)
         continue;
-      if (choices.texture.empty() ? draws(stage, one.picture) : !stage.picture.pixels.empty())
+      if (choices.texture.empty() ? draws(stage, one.picture) : stage.picture != nullptr)
         stages.emplace_back(&one, std::move(stage));
     }
   }

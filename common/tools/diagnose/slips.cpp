@@ -434,7 +434,7 @@ class Search {
       : drawn_(drawn), stage_(stage), lights_(light_slips(stage)) {
     names_[degrees].resize(4);
     for (const auto* one : lights_) names_[light].push_back({one == nullptr ? "" : one->words, ""});
-    if (stage.picture.pixels.empty()) {
+    if (stage.picture == nullptr) {
       names_[texel].resize(1);
       names_[reading].resize(1);
     }
@@ -669,7 +669,7 @@ class Search {
     return odd ? board.odd : board.even;
   }
   [[nodiscard]] Rgb in_picture(const Way& way, const Uv<double>& uv) const {
-    const Image& image = stage_.picture;
+    const Image& image = *stage_.picture;
     const Uv<double> from = of_texel[way.row[texel]].calculate(uv, image.width, image.height);
     const auto inside = [](double x, int n) {  // NaN gives 0
       return x > 0 ? static_cast<int>(std::min(x, n - 1.0)) : 0;
@@ -690,7 +690,7 @@ class Search {
       way.on_squares = on_squares;
       const bool moves =
           std::any_of(way.row.begin(), way.row.begin() + texel, [](int r) { return r != 0; });
-      if (!on_squares && (!moves || stage_.picture.pixels.empty())) return;
+      if (!on_squares && (!moves || stage_.picture == nullptr)) return;
       if (fit == Fit::factors) way.material = fitted(way);
       if (fit == Fit::exponent) way.material = with_exponent(way);
       if (fit == Fit::blend) way.blend = with_blend(way);
@@ -812,11 +812,12 @@ bool has_other_colors(const Image& drawn, const StageView& stage) {
   const auto place_of = [&](const Rgb& c, int r, int g, int b) {
     return (step_of(c.r, r) * steps + step_of(c.g, g)) * steps + step_of(c.b, b);
   };
-  for (const Rgb8& texel : stage.picture.pixels) ++times[place_of(color_of(texel), 0, 0, 0)];
+  if (stage.picture == nullptr) return false;
+  for (const Rgb8& texel : stage.picture->pixels) ++times[place_of(color_of(texel), 0, 0, 0)];
   const auto is_rare = [&](const Rgb& c) {
     std::size_t near = 0;
     for (int i = 0; i < 27; ++i) near += times[place_of(c, i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)];
-    return near * 1000 < stage.picture.pixels.size();
+    return near * 1000 < stage.picture->pixels.size();
   };
   long around = 0, around_wrong = 0, lit = 0, unlike = 0, impossible = 0;
   for (const Seen& seen : stage.pixels) {

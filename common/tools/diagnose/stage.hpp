@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,7 +60,7 @@ struct StageView {
   std::string chapter;  ///< its folder
   int width = 800, height = 600;
   std::vector<Seen> pixels{};
-  Image picture{};  ///< of the texture; empty if there is none
+  std::shared_ptr<const Image> picture{};  ///< of the texture; null if there is none
   Checkerboard checkers{};
   RotationY turn{};  ///< of the directions that the mapping is given
   GradientSky sky{};
@@ -98,8 +99,9 @@ concept OfTheStage = HasStageLight<Lesson> && requires(const Lesson& lesson) {
 template <OfTheStage Lesson>
 [[nodiscard]] StageView view_stage(std::string_view chapter, const Lesson& lesson,
                                    const View<>& view, int every = lattice,
-                                   const Tracing& tracing = {}) {
-  StageView stage{.chapter = std::string(chapter), .sky = lesson.stage.sky};
+                                   const Tracing& tracing = {},
+                                   const std::shared_ptr<const Image>& picture = nullptr) {
+  StageView stage{.chapter = std::string(chapter), .picture = picture, .sky = lesson.stage.sky};
   for (int row = 1; row < stage.height; row += every) {
     for (int column = 1; column < stage.width; column += every) {
       const Ray<double> ray = ray_through<double>(view, column, row);
@@ -127,7 +129,8 @@ template <OfTheStage Lesson>
             stage.checkers = paint.texture;
           } else if constexpr (requires { paint.texture.image; }) {
             seen.mapped = true;
-            if (stage.picture.pixels.empty()) stage.picture = paint.texture.image;
+            if (stage.picture == nullptr)
+              stage.picture = std::make_shared<const Image>(paint.texture.image);
           }
         };
         visit_paint(object.paint, keep_paint);
@@ -188,18 +191,21 @@ void visit_changed(const StageView& stage, const Visit& visit) {
   for (const ViewSlip& slip : of_view) {
     View<> view = view_of(right.stage.camera, 800, 600);
     if (slip.turn != nullptr) slip.turn(view);
-    visit(slip, [&](int every) { return view_stage(chapter, right, view, every, slip.tracing); });
+    visit(slip, [&](int every) {
+      return view_stage(chapter, right, view, every, slip.tracing, stage.picture);
+    });
   }
   const auto visit_lesson = [&](const char*, const std::string& words, const Lesson& lesson) {
     const View<> view = view_of(lesson.stage.camera, 800, 600);
-    visit({words, ""}, [&](int every) { return view_stage(chapter, lesson, view, every); });
+    visit({words, ""},
+          [&](int every) { return view_stage(chapter, lesson, view, every, {}, stage.picture); });
   };
   mistakes::of_the_scene(right, visit_lesson);
+  Lesson lesson = right;  // changed in place: a copy has a texture
   const Point lamp = right.stage.light.position;
   for (const double x : {-10, -5, -2, 0, 2, 5, 10}) {
     for (const double y : {-10, -5, -2, 0, 2, 5, 10}) {
       for (const double z : {-10, -5, -2, 0, 2, 5, 10}) {
-        Lesson lesson = right;
         lesson.stage.light.position = {x, y, z};
         visit_lesson("",
                      text("the lamp is at (%g, %g, %g) and not at (%g, %g, %g)", x, y, z, lamp.x,
@@ -208,9 +214,9 @@ void visit_changed(const StageView& stage, const Visit& visit) {
       }
     }
   }
+  lesson.stage.light.position = lamp;
   for (int degrees = 20; degrees <= 110; ++degrees) {
     if (degrees == 60 || degrees == 90) continue;  // right; of_the_scene has it
-    Lesson lesson = right;
     lesson.stage.camera.fov_y_degrees = degrees;
     visit_lesson("", text("the angle of view is %d degrees and not 60", degrees), lesson);
   }
