@@ -59,17 +59,41 @@ std::filesystem::path end_of_links(std::filesystem::path path) {
   return path;
 }
 
+// The number of an open file that a path names, such as /dev/stdout: what was opened may have been
+// opened for appending. None for other paths.
+std::optional<int> open_file_of(const std::filesystem::path& named) {
+  const std::string path = named.lexically_normal().string();
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    const std::string number = path.starts_with(folder) ? path.substr(folder.size()) : "";
+    if (!number.empty() && number.size() < 6 &&
+        number.find_first_not_of("0123456789") == std::string::npos)
+      return std::stoi(number);
+  }
+  std::error_code error;
+  const std::filesystem::path next = std::filesystem::read_symlink(named, error);
+  return !error && next.is_absolute() ? open_file_of(next) : std::nullopt;
+}
+
 // A file that can be written, as far as one can tell before.
 struct Target {
-  std::filesystem::path path;       // after all symbolic links
-  bool device = false;              // or a pipe: written to, not replaced
-  std::optional<mode_t> mode = {};  // of the file that is replaced
+  std::filesystem::path path;                // after all symbolic links
+  bool device = false;                       // or a pipe: written to, not replaced
+  std::optional<struct stat> replaced = {};  // the file that is
+  std::optional<int> open = {};              // it is open already
 };
 
 Target find_target(const std::filesystem::path& named) {
   check_name(named);
   if (!named.has_filename() || named.filename() == "." || named.filename() == "..")
     throw FileError("the name is that of a folder");
+  if (const std::optional<int> number = open_file_of(named)) {
+    const int mode = fcntl(*number, F_GETFL);
+    if (mode < 0 || (mode & O_ACCMODE) == O_RDONLY)
+      throw FileError(mode < 0 ? "no file with this number is open" : "it was opened for reading");
+    return {.path = named, .device = true, .open = number};
+  }
   struct stat status {};
   const bool exists = stat(named.c_str(), &status) == 0;
   if (!exists && errno != ENOENT && errno != ENOTDIR) throw FileError(last_words());
@@ -80,13 +104,19 @@ Target find_target(const std::filesystem::path& named) {
   const std::filesystem::path path = device ? named : end_of_links(named);
   if (exists && access(path.c_str(), W_OK) != 0)
     throw FileError("it cannot be written to: " + last_words());
-  if (device) return {path, true};
+  if (device) return {.path = path, .device = true};
   const std::filesystem::path folder = folder_of(path);
   check_folder(folder);
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     throw FileError("the folder '" + name_of(folder) + "' cannot be written to: " + last_words());
   if (!exists) return {path};
-  return {path, false, static_cast<mode_t>(status.st_mode & 0777U)};
+  return {.path = path, .replaced = status};
+}
+
+// Gives a file the owner and mode of another. Only root can give a file away: else it is ours.
+bool is_made_alike(const std::filesystem::path& file, const struct stat& other) {
+  static_cast<void>(chown(file.c_str(), other.st_uid, other.st_gid) == 0);
+  return chmod(file.c_str(), other.st_mode & 0777U) == 0;
 }
 
 // Writes to a file that was opened, or null; false with the reason in errno.
@@ -139,7 +169,10 @@ void check_writable(const std::filesystem::path& path) { static_cast<void>(find_
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   const Target target = find_target(path);
   if (target.device) {
-    if (!write_and_close(open_device(target.path), bytes)) throw FileError(last_words());
+    std::fflush(stdout);
+    std::FILE* const file =
+        target.open ? fdopen(dup(*target.open), "wb") : open_device(target.path);
+    if (!write_and_close(file, bytes)) throw FileError(last_words());
     return;
   }
   // Beside the file, and then renamed. Ctrl-C waits for that, so that it leaves no draft behind.
@@ -150,7 +183,7 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
   pthread_sigmask(SIG_BLOCK, &ending, &before);
   const bool done = write_and_close(std::fopen(draft.c_str(), "wb"), bytes) &&
-                    (!target.mode || chmod(draft.c_str(), *target.mode) == 0) &&
+                    (!target.replaced || is_made_alike(draft, *target.replaced)) &&
                     std::rename(draft.c_str(), target.path.c_str()) == 0;
   const int reason = errno;
   if (!done) std::remove(draft.c_str());

@@ -1,6 +1,7 @@
 // Draws and saves what the user chose.
 #include "engine/run/session.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 
 #include "engine/draw/progress.hpp"
@@ -22,6 +23,15 @@ PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
   }
   return {double{1} * parse_whole("the column of --at", typed.substr(0, comma), 0, width - 1),
           double{1} * parse_whole("the row of --at", typed.substr(comma + 1), 0, height - 1)};
+}
+
+/// Prints a line about a picture that is written, and is so whether this fails or not.
+void print_about(const std::string& line) {
+  try {
+    print(line);
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "the picture is written, but not the line about it: %s\n", error.what());
+  }
 }
 
 }  // namespace
@@ -84,17 +94,18 @@ void Session::save(const Image& image, std::string_view suffix) {
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
   if (!settings.quiet && times_.judged > 0) {
-    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n", times_.uncertain,
-               times_.judged));
+    print_about(text("rounding could change %ld of %ld pixels, each drawn three wide\n",
+                     times_.uncertain, times_.judged));
   }
   if (!settings.quiet) {
     const double all = times_.load + times_.render + saving.encode + saving.write;
-    print(name_of(file) +
-          text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f)",
-               image.width, image.height, all, times_.load, times_.render, saving.encode,
-               saving.write) +
-          (times_.rays > 0 ? text(", %.1f million rays/s\n", times_.rays / times_.render / 1000)
-                           : "\n"));
+    print_about(name_of(file) +
+                text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f)",
+                     image.width, image.height, all, times_.load, times_.render, saving.encode,
+                     saving.write) +
+                (times_.rays > 0
+                     ? text(", %.1f million rays/s\n", times_.rays / times_.render / 1000)
+                     : "\n"));
   }
   times_ = {};
 }

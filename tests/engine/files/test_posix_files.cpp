@@ -1,7 +1,9 @@
 // What Linux, macOS and their like say of files: links, pipes, devices. Permissions, and that
 // pictures get through whole, are for tests/faults to see, with the programs.
 #include <doctest.h>
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -58,4 +60,27 @@ TEST_CASE("what cannot be loaded or written is named in words, and at once") {
         "cannot write '" + (folder / "pipe") + "': nobody is at the other end of the pipe");
   if (fs::exists("/dev/full"))
     CHECK(error_of_saving("/dev/full") == "cannot write '/dev/full': the disk is full");
+}
+
+TEST_CASE("a file that is open already is written to where it is, not replaced") {
+  const TemporaryFolder folder;
+  const std::string log = folder / "log", other = folder / "picture.png";
+  write_text_atomically(log, "a line\n");
+  const int opened = open(log.c_str(), O_WRONLY | O_APPEND);
+  REQUIRE(opened >= 0);
+  const std::string name = "/dev/fd/" + std::to_string(opened);
+  fs::create_symlink(name, folder / "link.png");
+  const Image picture = noise(9, 7, 1);
+  save_png(picture, other);
+  for (const std::string& path : {name, folder / "link.png"}) {
+    const std::string before = text_in(log);
+    save_png(picture, path);
+    CHECK(text_in(log) == before + text_in(other));
+  }
+  close(opened);
+  CHECK(error_of_checking(name) == "cannot write '" + name + "': no file with this number is open");
+  const int read = open(log.c_str(), O_RDONLY);
+  const std::string no = "/proc/self/fd/" + std::to_string(read);
+  CHECK(error_of_checking(no) == "cannot write '" + no + "': it was opened for reading");
+  close(read);
 }
