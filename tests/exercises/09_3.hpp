@@ -1,6 +1,6 @@
 // Exercise 09.3: which level?
 //
-// Level 0 of a pyramid is the picture, and a texel of level l is 2^l texels of level 0 wide. A read
+// Level 0 of a pyramid is the picture, and a texel of level l is 2^l texels of level 0 wide. A tap
 // has to be `width` texels of level 0 wide. Let l be the whole level with 2^l <= width < 2^(l + 1).
 // Then the part f of level l + 1 must be mixed in:
 //     f = ((width / 2^l)^2 - 1) / 3
