@@ -99,9 +99,9 @@ struct PlainSkyPath {
     Rgb sum = light({hit.outside, scattered}, bounces - 1, dot(hit.normal, scattered));
 
     const Ray<double> to_sky = {hit.outside, sky.draw(true, in_sky).direction};
-    const double slant = dot(hit.normal, to_sky.direction);
-    if (slant > 0 && !is_hidden(objects, to_sky, nearest.index))
-      sum = sum + sky(to_sky) * weight(slant, to_sky.direction);
+    const double toward = dot(hit.normal, to_sky.direction);
+    if (toward > 0 && !is_hidden(objects, to_sky, nearest.index))
+      sum = sum + sky(to_sky) * weight(toward, to_sky.direction);
     return object.paint.color * sum;
   }
 
