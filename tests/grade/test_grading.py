@@ -6,6 +6,7 @@ usage: test_grading.py PROGRAMS [TEST...]    PROGRAMS: the folder of judge_pictu
 """
 import csv
 import fcntl
+import gzip
 import io
 import json
 import os
@@ -15,6 +16,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tarfile
 import tempfile
 import time
 import unicodedata
@@ -74,6 +76,14 @@ def png(rows, alpha=False):
                                  for pixel in row))
 
 
+def zip_of(files):
+    packing = io.BytesIO()
+    with zipfile.ZipFile(packing, 'w') as packed:
+        for name, content in files.items():
+            packed.writestr(name, content)
+    return packing.getvalue()
+
+
 GOLDEN, LARGE = ramps(250, 40), ramps(800, 600)  # of 10000 pixels, two may be off
 RIGHT = png(GOLDEN)
 
@@ -110,7 +120,7 @@ class Course(unittest.TestCase):
         self.ended = subprocess.run(self.command(*words), cwd=self.at, capture_output=True,
                                     text=True, check=False)
         self.assertEqual(self.ended.returncode, status, self.ended.stderr)
-        return self.rows() if status == 0 else None
+        return None if status == 2 or '--dry-run' in words else self.rows()
 
     def rows(self):
         """The rows of grades.csv, by student and chapter."""
@@ -267,7 +277,8 @@ class Folders(Course):
             with self.subTest(files, words=words):
                 shutil.rmtree(self.at / 'class', ignore_errors=True)
                 self.put({f'class/{file}': RIGHT for file in files.split()})
-                rows = self.grade('--chapters', '3', *words.split())
+                rows = self.grade('--chapters', '3', *words.split(),
+                                  status=0 if '03' in files else 3)
                 self.assertEqual({name for name, _ in rows}, set(names.split()))
                 self.assertEqual(self.ended.stderr, remark)
 
@@ -318,31 +329,136 @@ class Folders(Course):
                 for name, id, picture in students:
                     self.assertTrue(pictures[name, id].endswith(picture or 'none'), pictures)
 
+    def test_layouts_of_systems_drives_and_forms(self):
+        # The paths; and for each student the name, the id, and the files that count, with the
+        # number of versions where there are several.
+        chapters = [GLOBE, SHEET, Item('10_ray_footprints', '10', 'golden')]
+        for paths, students in [
+                # one folder, or two, between the class and the students; the newest by its number
+                ('Work/Submitted files/王小明/HW 3/Version 1/03.png|'
+                 'Work/Submitted files/王小明/HW 3/Version 2/03.png|'
+                 'Work/Submitted files/A. B. Müller/HW 3/Version 9/03_image_texture.png|'
+                 'Work/Submitted files/A. B. Müller/HW 3/Version 10/work/out/03.png|'
+                 'Work/Working files/王小明/HW 3/03.png',
+                 '王小明||Version 2/03.png 2; A. B. Müller||Version 10/work/out/03.png 2'),
+                ('homework/ada/03.png|homework/bob/v2/03.png|homework/bob/v10/chapters/'
+                 '03_image_texture/lesson.hpp', 'ada||ada/03.png; bob||v10'),
+                ('submission_1_export/12/03.png|submission_1_export/13/03.png',
+                 '12||12/03.png; 13||13/03.png'),
+                # files that are there again
+                ('ada/03.png|ada/03 (2).png|ada/03 (10).png|bob/03_image_texture_v2.png|'
+                 'bob/03_image_texture.png|eve/04 (1).png|eve/uv (2).png',
+                 'ada||03 (10).png 3; bob||03_image_texture_v2.png 2; eve||04 (1).png'),
+                # Canvas's anonymous students, and those who typed a text
+                ('anon_Ab3dE_90510_03_image_texture.png|anon_Ab3dE_90511_10_ray_footprints.png|'
+                 'anon_LATE_12345_90512_03_image_texture.png|roemax_4072_text.html',
+                 'Ab3dE|Ab3dE|90510_03_image_texture.png,90511_10_ray_footprints.png; '
+                 '12345|12345|90512_03_image_texture.png; roemax|4072|'),
+                # a number of the student's own before the chapter's name, or before its number
+                ('doe_1234567_03_image_texture.png|doe_1234567_10_ray_footprints (2).png|'
+                 'o.brien-li_2345678_03-Image-Texture.png|王小明_20231234_04_uv_conventions.png|'
+                 'max_m_3456789_03.png|my_03_image_texture.png',
+                 'doe|1234567|doe_1234567_03_image_texture.png,footprints (2).png; '
+                 'o.brien-li|2345678|Image-Texture.png; 王小明|20231234|uv_conventions.png; '
+                 'max_m|3456789|_03.png'),
+                ('doe_1234567_03_image_texture/a_90510_03_image_texture.png|roe/03.png',
+                 'doe_1234567_03_image_texture||image_texture.png; roe||03.png'),
+                # Brightspace, flat and in folders: the newest by its time
+                ('1-7 - Jane Doe - Nov 20, 2026 130 PM - 03_image_texture.png|'
+                 '1-7 - Jane Doe - Nov 20, 2026 1130 AM - 03_image_texture.png|'
+                 "2-7 - Zoë O'Brien-Li - Dec 1, 2026 1205 AM - Chapter 3.png|index.html",
+                 "Jane Doe|1|130 PM - 03_image_texture.png 2; Zoë O'Brien-Li|2|Chapter 3.png"),
+                ('1-7 - Jane Doe - 30 nov. 2026 1330/out/03.png|'
+                 '1-7 - Jane Doe - 1 déc. 2026 930/out/03.png|2-7 - 王小明 - 2 dic. 2026 930/03.png',
+                 'Jane Doe|1|déc. 2026 930/out/03.png 2; 王小明|2|03.png'),
+                # a drive, and forms
+                ('Jane Doe - 03_image_texture.png|Jane Doe - 04_uv_conventions.png|'
+                 'J. R. Müller - 03.png|王小明 - IMG_4.png|王小明03.png',
+                 'Jane Doe||Doe - 03_image_texture.png,04_uv_conventions.png; '
+                 'J. R. Müller||03.png; 王小明||王小明03.png,IMG_4.png'),
+                ('03_image_texture - Jane Doe.png|03_image_texture - Ann.png|04 - Ann.png',
+                 'Jane Doe||Doe.png; Ann||texture - Ann.png,04 - Ann.png'),
+                ('03_image_texture_Jane Doe.png|03_image_texture_王小明.png',
+                 'Jane Doe||Doe.png; 王小明||明.png'),
+                # one student's files
+                ('03.png|04.png|screenshot 03.png|old_03_image_texture.png',
+                 'class||03.png,04.png'),
+                ('Doe, Jane(jd)/Submission attachment(s)/03.png|Roe, Max(mr)/timestamp.txt',
+                 'Doe, Jane|jd|03.png; Roe, Max|mr|')]:
+            with self.subTest(paths):
+                shutil.rmtree(self.at / 'class', ignore_errors=True)
+                self.put({f'class/{path}': '' for path in paths.split('|')})
+                found, _ = find_submissions([f'{self.at}/class'], chapters)
+                wanted = {tuple(line.split('|')[:2]): line.split('|')[2].split(',')
+                          for line in students.split('; ')}
+                self.assertEqual({(one.person, one.id) for one in found}, set(wanted))
+                for one in found:
+                    files = sorted(one.pictures.items()) or [('', (one.checkout, ''))]
+                    wants = [re.fullmatch(r'(.*?)(?: (\d+))?', want).groups()
+                             for want in wanted[one.person, one.id]]
+                    self.assertEqual(len(files), len(wants))
+                    for (item, (path, why_not)), (want, count) in zip(files, wants):
+                        self.assertTrue(path.endswith(want) and not why_not, (path, want))
+                        note = one.versions.get(item, '')
+                        self.assertRegex(note, f'^the newest of {count}: ' if count else '^$')
+
+    def test_archives_of_all_kinds_are_read_safely(self):
+        # A student's archive with a picture, and what must not be read or written.
+        for ending, mode in {'tar': 'w', 'tar.gz': 'w:gz', 'tgz': 'w:gz', 'tar.xz': 'w:xz',
+                             'tbz2': 'w:bz2'}.items():
+            (self.at / 'class').mkdir(exist_ok=True)
+            name = f'class/王 {ending.replace(".", "")}.{ending}'
+            with tarfile.open(self.at / name, mode) as made:
+                for name, kind, link in (('wörk/03.png', tarfile.REGTYPE, ''),
+                                         ('../../escaped.png', tarfile.REGTYPE, ''),
+                                         ('04.png', tarfile.SYMTYPE, '/etc/passwd'),
+                                         ('4.png', tarfile.LNKTYPE, '/etc/passwd'),
+                                         ('etc', tarfile.SYMTYPE, '/etc'),
+                                         ('10.png', tarfile.FIFOTYPE, '')):
+                    info = tarfile.TarInfo(name)
+                    info.type, info.linkname, info.size = kind, link, len(RIGHT) * (not link)
+                    made.addfile(info, io.BytesIO(RIGHT))
+        self.put({'class/bad.tar.gz': '\x1f', 'class/bad.7z': '7z', 'class/bomb.tgz':
+                  gzip.compress(bytes(1 << 24)), 'bin/7zz': """#!/bin/sh
+[ "$1" = l ] && printf 'Path = wörk\\nPath = wörk/03 [1].png\\nPath = ../../out.png\\n' && exit
+for name; do :; done
+[ "$1 $name" = 'x wörk/03 [1].png' ] && cat "$(dirname "$0")/right.png"
+""", 'bin/right.png': RIGHT, 'class/ada.7z': '7z', 'class/bob.rar': 'rar'})
+        (self.at / 'bin/7zz').chmod(0o755)
+        for path, missing in {f'{self.at}/bin:/bin': ['bad', 'bomb'],
+                              f'{self.at}/none': ['ada', 'bad', 'bad', 'bob', 'bomb']}.items():
+            unpacked.cache_clear()
+            with mock.patch.dict(os.environ, PATH=path), mock.patch('submissions.MOST_BYTES',
+                                                                    1 << 22):
+                found, _ = find_submissions([f'{self.at}/class'], [GLOBE, SHEET])
+            without = [one for one in found if not one.pictures]
+            self.assertEqual([one.name for one in without], missing)
+        self.assertIn('needs the program unrar, 7z, 7zz or bsdtar (Debian: ', without[3].why)
+        self.assertFalse(list(self.at.rglob('escaped.png')))
+
     def test_a_class_is_read_from_a_zip_and_joined_with_a_list(self):
-        inner = io.BytesIO()
-        with zipfile.ZipFile(inner, 'w') as packed:
-            packed.writestr('work/out/03.png', RIGHT)
-            packed.writestr('../../escaped.png', RIGHT)
-        (self.at / 'work.zip').write_bytes(inner.getvalue())
+        inner = zip_of({'work/out/03.png': RIGHT, '../../escaped.png': RIGHT})
+        (self.at / 'work.zip').write_bytes(inner)
         with mock.patch('submissions.MOST_BYTES', 2 * len(RIGHT) - 1):
             self.assertIsNone(unpacked(f'{self.at}/work.zip'))
-        self.put({'nested/a.txt': ''})
-        # a student's zip may not hold thousands more
-        with zipfile.ZipFile(self.at / 'nested/ada.zip', 'w') as packed:
-            packed.writestr('work.zip', inner.getvalue())
-        self.assertEqual([one.seen for one in find_submissions([f'{self.at}/nested'], [GLOBE])[0]],
-                         ['work.zip, which is not read'])
-        with zipfile.ZipFile(self.at / 'class.zip', 'w') as packed:
-            for name, content in {'müllerjörg_1_11_03.png': RIGHT,
-                                  'doejane_2_12_work.zip': inner.getvalue(),
-                                  'liwei_3_13_03.png': 'x', 'smithann_4_14_broken.zip': 'PK',
-                                  'smithann_5_15_03.png': RIGHT}.items():
-                packed.writestr(name, content)
-        self.put({'class.csv': '\ufeffStudent;ID;Section\n    Points Possible;;\n'
-                               '"Müller, Jörg";1;A\n"Doe, Jane";2;A\n"Smith, Ann";4;A\n'
-                               '"Smith, Ann";5;A\n"Absent, Eve";6;A\n"Student, Test";9;A\n',
-                  'out/overrides.csv': 'name,chapter,points,note\n"Doe, Jane",,7.5,oral\n'
-                                       '4,3,1,by mail\n'})
+        # a student's zip may hold others, but not thousands in each other
+        for depth, seen in {2: 'escaped.png', 4: 'work.zip, which is not read'}.items():
+            packing = inner
+            for _ in range(depth - 1):
+                packing = zip_of({'work.zip': packing})
+            self.put({'nested/ada.zip': packing})
+            unpacked.cache_clear()
+            self.assertEqual([one.seen for one in find_submissions([f'{self.at}/nested'],
+                                                                   [GLOBE])[0]], [seen])
+        self.put({'class.zip': zip_of({
+            'müllerjörg_1_11_03.png': RIGHT, 'doejane_2_12_work.zip': inner,
+            'liwei_3_13_03.png': 'x', 'smithann_4_14_broken.zip': 'PK',
+            'smithann_5_15_03.png': RIGHT}), 'class.csv': '\ufeffStudent;ID;Section\n'
+            '    Points Possible;;\n'
+            '"Müller, Jörg";1;A\n"Doe, Jane";2;A\n"Smith, Ann";4;A\n'
+            '"Smith, Ann";5;A\n"Absent, Eve";6;A\n"Student, Test";9;A\n',
+            'out/overrides.csv': 'name,chapter,points,note\n"Doe, Jane",,7.5,oral\n'
+            '4,3,1,by mail\n'})
         for run in range(2):  # what was written by hand stays
             self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--points',
                        '3=2.5', '--format', 'gradescope')
@@ -378,6 +494,89 @@ class Folders(Course):
             'class.zip': 'overrides.csv, line 2: no student is nobody'}.items():
             self.grade('--chapters', '3', *words.split(), status=2)
             self.assertIn(why, self.ended.stderr)
+
+    def test_class_lists_of_all_systems_are_joined(self):
+        flat = '{}_{}_assignsubmission_file_03.png'
+        meta = ("---\nsubmission_1:\n  :submitters:\n  - :name: Jane Doe\n    :sid: '7'\n"
+                '    :email: jane@x.org\n  - :name: "Zo\\xEB O\'Brien-Li"\n    :email: zoe@x.org\n'
+                '  :results:\n    tests:\n    - name: no\nsubmission_2:\n  :submitters:\n'
+                '  - :name: 王小明\n    :sid: 9\n')
+        both = 'Jane Doe 7; Zoë O\'Brien-Li 8; 王小明 9'
+        for paths, table, options, people in [
+                (['Group 1-Jane Doe_12_assignsubmission_file/03.png',
+                  flat.format("Group A-B-Zoë O'Brien-Li", 13), flat.format('Group-王小明', 14)],
+                 "Prénom,Nom,Numéro d’identification\nJane,Doe,7\nZoë,O'Brien-Li,8\n,王小明,9\n",
+                 '', 'Jane Doe 12; Zoë O\'Brien-Li 13; 王小明 14'),
+                (['100-5 - Jane Doe - Nov 20, 2026 130 PM/03.png',
+                  '100-5 - Jane Doe - Nov 21, 2026 130 PM/03.png',
+                  "101-5 - Zoë O'Brien-Li - Nov 20, 2026 130 PM/03.png"],
+                 "OrgDefinedId,Username,Last Name,First Name,End-of-Line Indicator\n"
+                 "#7,#jd,Doe,Jane,#\n#8,#zo,O'Brien-Li,Zoë,#\n", '',
+                 "Jane Doe 100; Zoë O'Brien-Li 101"),
+                (['a_export/submission_1/03.png', 'a_export/submission_2/03.png',
+                  'a_export/submission_metadata.yml'],
+                 "姓名,学号,电子邮件\nJane Doe,7,\nZoë O'Brien-Li,8,zoe@x.org\n王小明,9,\n", '',
+                 both.replace('8', 'zoe@x.org')),
+                # the id is that of one of the group
+                (['teamone_7_90500_03.png', 'teamtwo_9_90501_03.png', '王小明_9_90502_03.png'],
+                 "name,canvas_user_id,group_name\nJane Doe,7,Team One\nZoë O'Brien-Li,8,Team One\n"
+                 '王小明,9,Team Two\n', '--columns canvas_user_id=id,no', None),
+                (['teamone_7_90500_03.png', 'teamtwo_9_90501_03.png', '王小明_9_90502_03.png'],
+                 "name,canvas_user_id,group_name\nJane Doe,7,Team One\nZoë O'Brien-Li,8,Team One\n"
+                 '王小明,9,Team Two\n', '--columns name=name,id=canvas_user_id,group=Group_name',
+                 both),
+                (['doejane_7_text.html', 'doejane_7_90_03.png', 'zoe_8_text.html', 'li_9_9_03.png'],
+                 "Estudiante,ID\n\"Doe, Jane\",7\n\"O'Brien-Li, Zoë\",8\n王小明,9\n", '', both),
+                (['Jane - 03.png', 'jane doe - 04.png', '李 - 03.png'],
+                 'Fornavn;Etternavn;Brukernavn\nJane;Doe;7\n李;;9\n'.encode('gb18030'), '',
+                 'Jane ; Jane Doe 7; 李 9'),
+                (['李/03.png', 'ada/03.png'], '姓,名,学号\n李,,9\n'.encode('gb18030'), '',
+                 '李 9; ada '),
+                (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '', 'has: Matrikel, Wer. Heads such as '),
+                (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '--columns id=Matrikel,name=Wer',
+                 'ada 1')]:
+            with self.subTest(table):
+                shutil.rmtree(self.at / 'class', ignore_errors=True)
+                self.put({f'class/{path}': meta if path.endswith('yml') else RIGHT
+                          for path in paths} | {'list.csv': table})
+                is_wrong = people is None or 'Heads' in people
+                self.grade('class', '--class-list', 'list.csv', '--chapters', '3',
+                           *options.split(), status=2 if is_wrong else 0)
+                if is_wrong:
+                    self.assertIn(people or "not 'canvas_user_id=id'", self.ended.stderr)
+                    continue
+                rows = csv.DictReader(io.StringIO(self.text('points.csv').removeprefix('\ufeff')))
+                self.assertEqual(sorted(f'{row["person"]} {row["id"]}' for row in rows),
+                                 sorted(people.split('; ')))
+
+    def test_what_is_not_understood_is_loud_and_a_dry_run_says_who_was_found(self):
+        self.put({f'class/{i:02}/{"03.png" if i % 2 else "IMG.png"}': RIGHT for i in range(29)}
+                 | {'class/report/report.pdf': '', 'class/empty/a': ''})
+        (self.at / 'class/empty/a').unlink()
+        why = ('NOT UNDERSTOOD: 30 students with files, 16 of them with none that fits a chapter. '
+               'Names such as 03_image_texture.png or 03.png do. --dry-run shows who was found')
+        for words in ['--dry-run'], []:
+            self.grade('class', '--chapters', '3', *words, status=3)
+            lines = self.ended.stdout.splitlines()
+            self.assertEqual(lines[:2], ['31 students in folders, 14 pictures', why])
+            self.assertEqual(lines[2], '  00: IMG.png: no name or number of a chapter, or several')
+            self.assertEqual(lines[10 + bool(words)], f'  and {22 if words else 8} more')
+            self.assertEqual((self.at / 'out').exists(), not words)
+        self.assertIn(f'<p class="verdict bad">{why}<br>  00: IMG.png: no', self.text('index.html'))
+        self.assertIn('<br>  report: report.pdf: no picture and no code</p>',
+                      self.text('index.html'))
+        # half of them is enough; versions and ids are shown, long lines are cut
+        self.put({'class/report/3 (2).png': RIGHT, 'class/report/3.png': RIGHT,
+                  'list.csv': 'name,id\nreport,77\n00,5\n'})
+        self.grade('class', '--dry-run', '--chapters', '3', '--class-list', 'list.csv')
+        self.assertIn('  report (77): 03 the newest of 2: 3 (2).png\n', self.ended.stdout)
+        self.assertIn('  00 (5): IMG.png: no name', self.ended.stdout)
+        self.assertLess(self.ended.stdout.count('\n'), 12)
+        # what one student has of another chapter is understood
+        self.put({'one/4.png': ''})
+        self.grade('one', '--dry-run', '--chapters', '3')
+        self.grade('class/empty', '--dry-run', status=3)
+        self.grade('class/empty', '--one', '--dry-run')
 
     def test_chapters_are_found_in_several_layouts(self):
         for i, (file, checkout) in enumerate({
@@ -444,7 +643,7 @@ class Runs(Course):
 
     def test_who_has_nothing_has_one_word_for_all(self):
         self.put({'class/bob/05.png': RIGHT, 'class/none/a.txt': ''})
-        self.grade('class')
+        self.grade('class', status=3)
         self.assertIn('0 of 2    bob                      missing; found 05.png\n',
                       self.ended.stdout)
         self.assertIn('0 of 2    none                     no chapter and no picture found\n',

@@ -131,13 +131,15 @@ def section(row):
                    + '</tbody>\n</table></div>\n' if lines else '')
 
 
-def class_page(page, items, students, asked):
+def class_page(page, items, students, asked, warning=()):
     """The worst first, sortable, with a row of sums such as "37 mirrored"."""
     ended = f' of {asked}: the run was ended before the others' if len(students) < asked else ''
     with_tests = any(not row.item.exercise and row.tests_run for student in students
                      for row in student.rows)
+    warning = '<br>'.join(escaped(clean(line)) for line in warning)
     html = (
         f'{warning_of(all(student.contained for student in students))}'
+        + (f'<p class="verdict bad">{warning}</p>\n' if warning else '') +
         f'<p>{counted(len(students), "student")} graded{ended}. '
         'All figures: <a href="grades.csv">grades.csv</a>, <a '
         'href="points.csv">points.csv</a>. A name with a link has a page.</p>\n'

@@ -16,7 +16,8 @@ import people  # noqa: E402
 import results  # noqa: E402
 from pictures import Pictures  # noqa: E402
 from results import GradeError, Item, Row, Student, clean, padded  # noqa: E402
-from submissions import find_submissions, tell_apart, what_was_read  # noqa: E402
+from submissions import (Chapters, find_submissions, not_understood, shortened,  # noqa: E402
+                         tell_apart, what_was_read, who_was_found)
 
 TREE = Path(__file__).resolve().parents[3]
 # students with pictures of whom all pictures of a chapter are compared in a row: known mistakes
@@ -54,8 +55,8 @@ def command_line():
     parser = Parser(prog='grade', description="students' chapters against the golden pictures",
                     usage='grade DIR... [options]', allow_abbrev=False,
                     epilog='exit status: 0 all were graded, whatever the grades; 2 wrong command '
-                           'line, or nothing could be graded; '
-                           '130 ended by Ctrl-C, with what was done until then')
+                           'line, or nothing could be graded; 3 less than half of the class '
+                           'was understood; 130 ended by Ctrl-C, with what was done until then')
     add = parser.add_argument
     add('folders', metavar='DIR', nargs='*',
         help="a student's checkout or pictures, a folder of such folders, what a learning system "
@@ -69,6 +70,10 @@ def command_line():
         help='what a chapter or an exercise is worth')
     add('--class-list', metavar='FILE',
         help="a CSV with students' names and ids: says who is missing")
+    add('--columns', metavar='name=HEAD,id=HEAD', default='',
+        help='which columns of the class list have the name (or first, last), the id, the group')
+    add('--dry-run', action='store_true',
+        help='say who was found, with which files, and grade nothing')
     add('--overrides', metavar='FILE',
         help='a CSV with points that you gave by hand (default: overrides.csv in the folder of '
              'the results)')
@@ -199,6 +204,10 @@ class Grading:
 
     def run(self):
         self.find_students()
+        if self.options.dry_run:
+            for line in shortened(who_was_found(self.submissions, self.items)):
+                print(clean(line))
+            return
         self.lock = lock(self.out, '--out')
         self.pictures = Pictures(self.options.programs.resolve(), self.stopping)
         for item in self.items:
@@ -221,13 +230,18 @@ class Grading:
         self.write_class()
 
     def find_students(self):
-        self.submissions, remarks = find_submissions(self.options.folders, self.items,
+        chapters = Chapters(list(all_items(self.options.tree)), self.items)
+        self.submissions, remarks = find_submissions(self.options.folders, chapters,
                                                      self.options.one, self.options.each)
         if self.submissions:
             print(what_was_read(self.submissions), flush=True)
         if self.options.class_list and self.submissions:
-            remarks += people.join_class_list(self.options.class_list, self.submissions)
+            remarks += people.join_class_list(self.options.class_list, self.submissions, chapters,
+                                              self.options.columns)
         tell_apart(self.submissions)
+        self.not_understood = [] if self.options.one else not_understood(self.submissions)
+        for line in shortened(self.not_understood)[:1 if self.options.dry_run else None]:
+            print(clean(line), flush=True)
         for remark in remarks:
             say(remark + '\n')
         if not self.submissions:
@@ -279,6 +293,7 @@ class Grading:
         if row.with_tests and not row.word:
             row.word, row.note = ('no tests',
                                   "the picture is right; the tests need the chapter's code")
+        row.add_note(submission.versions.get(item.name, ''))
         if row.word == 'missing':
             row.add_note(f'found {submission.seen}' if submission.seen else '')
         return row
@@ -394,7 +409,8 @@ class Grading:
         self.write('grades.csv', results.grades_csv(students))
         self.write('points.csv', results.points_csv(students))
         self.write('index.html', class_pages.class_page(self.pictures.pages['page_with_script'],
-                                                        self.items, students, len(self.students)))
+                                                        self.items, students, len(self.students),
+                                                        self.not_understood))
         print(f'Look at {clean(str(self.out / "index.html"))}', flush=True)
 
     def write(self, name, text):
@@ -419,7 +435,7 @@ def main():
         grading.progress('')
         say(f'error: {results.clean_lines(str(error))}\n')
         return 2
-    return 130 if grading.stopped else 0
+    return 130 if grading.stopped else 3 if grading.not_understood else 0
 
 
 if __name__ == '__main__':

@@ -1,5 +1,6 @@
 """Who the students are, by a class list, and the points that an instructor gave by hand: two tables
 that are read."""
+import contextlib
 import csv
 import dataclasses
 import io
@@ -8,17 +9,35 @@ import unicodedata
 from pathlib import Path
 
 from results import GradeError, clean, nfc
-from submissions import Submission
+from submissions import Submission, search
 
-# How the exports of learning systems, and people, head the columns.
-HEADS = {'id': 'folder|id|identifier|id[- ]?number|user ?id|user ?name|login( id)?|'
-               'sis (user|login) id|student ?id|orgdefinedid|e-?mail([- ]ad(d)?resse?)?|id-?nummer|'
-               'matrikelnummer|anmeldename|benutzername|nutzername|teilnehmernummer',
-         'name': 'student|name|person|full name|student name|display name|vollständiger name|'
-                 'vor- und nachname',
-         'last': 'last ?name|surname|family name|last|nachname|familienname',
-         'first': 'first ?name|given name|first|vorname',
-         'chapter': 'chapter|exercise', 'points': 'points', 'note': 'note'}
+# How the exports of learning systems, and people, head the columns, without accents: in English,
+# German, French, Spanish, Norwegian and Chinese. Brackets behind a word, as "Apellido(s)", go.
+HEADS = {
+    'id': 'folder|id|sid|identifier|id[- ]?number|user ?id|user ?name|login( id)?|orgdefinedid|'
+          'sis (user|login) id|student[- _]?(id|no|number)|e-?mail([- ]ad(d)?resse?)?|'
+          'id-?nummer|matrikelnummer|anmeldename|benutzername|nutzername|teilnehmernummer|'
+          'kennung|numero d.(identification|etudiant)|identifiant|matricule|'
+          "nom d.utilisateur|id (de l.)?etudiant|(adresse (de )?)?(courriel|e-?mail|messagerie)|"
+          'numero de (id|identificacion|matricula)|matricula|identificador|id del? (estudiante|'
+          'usuario)|(nombre de )?usuario|(direccion de )?(correo|e-?mail)( electronico)?|dni|'
+          'brukernavn|studentnummer|kandidatnummer|e-?post(adresse)?|'
+          '学号|学生 ?(id|编号|号)|编号|工号|用户名|登录名?|登录id|id号|识别号|身份标识|'
+          '(电子)?(邮件|邮箱)(地址)?|學號|使用者名稱|電子郵件',
+    'name': 'student|name|person|full name|student name|display name|vollstandiger name|'
+            'vor- und nachname|nom|nom complet|nom et prenom|etudiant|nombre|nombre completo|'
+            'nombre y apellidos|apellidos y nombre|estudiante|alumno|navn|fullt navn|'
+            '姓名|全名|学生|学生姓名|名字|名称|學生',
+    'last': 'last ?name|surname|family name|last|nachname|familienname|nom de famille|apellidos?|'
+            'etternavn|姓|姓氏',
+    'first': 'first ?name|given name|first|vorname|prenom|prenoms|nombre de pila|fornavn|名',
+    'group': '(group|team)( ?name)?|groups|gruppen?|gruppenname|groupes?|equipe|grupos?|equipo|'
+             'gruppenavn|小组|组|分组|小组名称|組',
+    'chapter': 'chapter|exercise', 'points': 'points', 'note': 'note'}
+# The name of what there is no other column for: "Nom" beside "Prénom" is the last name.
+SHORT = 'name|nom|nombre|navn|名字'
+# The first that the text can be, and in which a line is a head.
+ENCODINGS = 'utf-8-sig', 'gb2312', 'cp1252', 'gb18030', 'latin-1'
 NOBODY = ('points possible', 'student, test', 'test student')  # lines of Canvas's gradebook
 
 
@@ -44,80 +63,145 @@ class Line:
         ada@x.org is ada."""
         words = [word for cell in self.cells.get('id', [])
                  for word in (cell, cell.partition('@')[0], *re.findall(r' (\d+)$', cell))]
-        return {nfc(word).casefold() for word in words}
+        return {nfc(word).strip('#= "').casefold() for word in words}
 
 
-def lines_of(path, needed):
+def plain(text):
+    """The text in small letters without accents."""
+    return ''.join(letter for letter in unicodedata.normalize('NFKD', text.casefold())
+                   if not unicodedata.combining(letter))
+
+
+def kinds_of(cells, columns):
+    """For each cell of a head the kind of the column; columns has those that are named by hand."""
+    words = [re.sub(r'[(/:].*', '', plain(cell).strip(' #"*\ufeff')).strip() for cell in cells]
+    kinds = [next((kind for kind, names in HEADS.items() if re.fullmatch(names, word)), '')
+             for word in words]
+    if columns:
+        return [columns.get(cell.strip().casefold(), '') for cell in cells]
+    for given, other in (('first', 'last'), ('last', 'first')):
+        if given in kinds and other not in kinds:
+            kinds = [other if re.fullmatch(SHORT, word) else kind
+                     for kind, word in zip(kinds, words)]
+    return kinds
+
+
+def lines_of(path, needed, typed=''):
     """The lines of a table with commas, semicolons or tabs. Its head is the first line with a
-    column of each needed kind."""
+    column of each needed kind. Typed: name=HEAD,id=HEAD says which columns these are."""
+    columns = {}
+    for word in filter(None, typed.split(',')):
+        kind, _, head = word.partition('=')
+        if kind not in ('name', 'first', 'last', 'id', 'group') or not head:
+            raise GradeError(f"--columns takes such as name=Student,id=Number, not '{word}'; it "
+                             'knows name, first, last, id and group')
+        columns[nfc(head).strip().casefold()] = kind
     data = Path(path).read_bytes()
-    try:
-        text = data.decode('utf-16' if data[:2] in (b'\xff\xfe', b'\xfe\xff') else 'utf-8-sig')
-    except UnicodeError:
-        text = data.decode('cp1252', 'replace')
-    comma = max(',;\t', key=text.count)
-    head, lines = None, []
-    for number, cells in enumerate(csv.reader(io.StringIO(text, newline=''), delimiter=comma), 1):
-        if head is None:
-            words = [nfc(cell).strip().casefold() for cell in cells]
-            kinds = [next((kind for kind, names in HEADS.items() if re.fullmatch(names, word)), '')
-                     for word in words]
-            head = kinds if any(set(kinds) >= set(one.split()) for one in needed) else None
-            continue
+    if data[:2] == b'PK':
+        raise GradeError(f'{clean(str(path))} is a spreadsheet: save it as CSV')
+    heads = []
+    for encoding in ('utf-16', ) if data[:2] in (b'\xff\xfe', b'\xfe\xff') else ENCODINGS:
+        with contextlib.suppress(UnicodeError):
+            text = data.decode(encoding)
+            comma = max(',;\t', key=text.count)
+            table = [[nfc(cell).strip() for cell in cells] for cells in csv.reader(
+                io.StringIO(text, newline=''), delimiter=comma)]
+            heads = heads or next((cells for cells in table if any(cells)), [])
+            for number, cells in enumerate(table):
+                kinds = kinds_of(cells, columns)
+                if any(set(kinds) >= set(one.split()) for one in needed):
+                    return read_lines(table, number, kinds)
+    raise GradeError(
+        f"{clean(str(path))}: no line names the columns {' or '.join(needed)}. Its first line has: "
+        f"{', '.join(map(clean, heads))}. Heads such as Student, Full name, Last name and First "
+        'name, ID or Email would do; --columns name=HEAD,id=HEAD names others')
+
+
+def read_lines(table, head, kinds):
+    """The lines of persons behind the head."""
+    lines = []
+    for number, cells in enumerate(table[head + 1:], head + 2):
         found = {}
-        for kind, cell in zip(head, cells):
-            found.setdefault(kind, []).extend([cell.strip()] if cell.strip() else [])
+        for kind, cell in zip(kinds, cells):
+            found.setdefault(kind, []).extend([cell] if cell else [])
         line = Line(number, found)
         if (line.person or line.ids) and line.cell('name').casefold() not in NOBODY:
             lines.append(line)
-    if head is None:
-        raise GradeError(f"{clean(str(path))}: no line names the columns {' or '.join(needed)}")
     return lines
 
 
 def keys(name):
     """What is the same for all ways to write a name: its words without accents in any order, as
     one; Canvas leaves out the blanks."""
-    plain = ''.join(letter for letter in unicodedata.normalize('NFKD', name.casefold())
-                    if not unicodedata.combining(letter))
-    words = re.findall(r'[^\W_]+', plain)
+    words = re.findall(r'[^\W_]+', plain(name))
     return {''.join(words[i:] + words[:i]) for i in range(len(words))}
 
 
-def join_class_list(path, submissions):
-    """Sets ids and persons from a class list: by id, then by name, if nobody else has that name.
-    Adds who handed in nothing. Says who these are, and who is not in the list."""
-    people = lines_of(path, ['id', 'name', 'last first'])
-    names = {id(one): keys(one.person) for one in [*people, *submissions]}
+def name_ways(name):
+    """The name, and what is behind a hyphen, which may be behind a group: "Group 1-Jane Doe"."""
+    words = name.split('-')
+    return ['-'.join(words[i:]) for i in range(len(words))]
+
+
+def join_class_list(path, submissions, chapters, columns=''):
+    """Sets ids and persons from a class list: by id, then by name, if nobody else has that name. A
+    group's work is that of each in it. Who has several submissions gets one. Adds who handed in
+    nothing. Says who these are, and who is not in the list."""
+    people = lines_of(path, ['id', 'name', 'last first'], columns)
+    names = {id(one): keys(one.person) for one in people}
 
     def named_as(one, others):
-        return [other for other in others if names[id(one)] & names[id(other)]]
-    by_id = {id(one): [person for person in people
-                       if nfc(one.id or one.name).casefold() in person.ids] for one in submissions}
-    by_name = {id(one): named_as(one, people) for one in submissions}
+        found = ([other for other in others if keys(way) & names[id(other)]]
+                 for way in name_ways(one.person))
+        return next(filter(None, found), [])
+
+    by_name, joined, by_id = {}, {}, {}
+    for one in list(submissions):
+        names[id(one)] = keys(one.person)
+        by_name[id(one)] = named_as(one, people)
+        members = [person for person in people if not by_name[id(one)] and any(
+            names[id(one)] & keys(group) for group in person.cells.get('group', []))]
+        if members:
+            here = submissions.index(one)
+            submissions[here:here + 1] = copies = [dataclasses.replace(
+                one, name=person.person, id=person.cell('id')) for person in members]
+            for copy, person in zip(copies, members):
+                joined[id(copy)], by_name[id(copy)] = [person], [person]
+                names[id(copy)] = names[id(person)]
+    for one in submissions:
+        ids = {nfc(word).casefold() for word in (one.id or one.name, *one.other_ids)}
+        by_id[id(one)] = [person for person in people if ids & person.ids]
     # Where names and ids contradict each other more often than not, the list's ids are others than
     # the files'.
     agree = [any(person in by_name[one] for person in found) for one, found in by_id.items()
              if found and by_name[one]]
     has_ids = 2 * sum(agree) >= len(agree)
-    taken, joined = [], {}
+    taken = [person for found in joined.values() for person in found]
     for step in ('id', 'name'):
         for one in submissions:
             free = [person for person in by_name[id(one)] if person not in taken]
+            if joined.get(id(one)):
+                continue
             if step == 'id' and has_ids:
                 joined[id(one)] = by_id[id(one)][:1]
-            elif step == 'name' and not joined.get(id(one)) and not (
-                one.id and has_ids and sum(agree)):
-                alone = len(free) == 1 and len([other for other in named_as(one, submissions)
-                                                if not joined.get(id(other))]) == 1
+            elif step == 'name' and not (one.id and has_ids and sum(agree)):
+                alone = len(free) == 1 and [other for other in submissions if free[0] in by_name[
+                    id(other)] and not joined.get(id(other))] == [one]
                 joined[id(one)] = free if alone else []
         taken = [person for found in joined.values() for person in found]
-    for one in submissions:
-        for person in joined[id(one)]:
-            one.person, one.id = person.person or one.person, one.id or person.cell('id')
-            one.name = one.name if one.kind == 'folders' else one.person
-    unknown = [one for one in submissions if not joined[id(one)]]
-    missing = [person for person in people if person not in taken and not named_as(person, unknown)]
+    for person in people:
+        first, *more = [one for one in submissions if person in joined.get(id(one), [])] or [None]
+        for one in more:
+            first.parts = first.parts + one.parts
+            submissions.remove(one)
+        if more:
+            search(chapters, first)
+        if first:
+            first.person, first.id = person.person or first.person, first.id or person.cell('id')
+            first.name = first.name if first.kind == 'folders' else first.person
+    unknown = [one for one in submissions if not joined.get(id(one))]
+    missing = [person for person in people if person not in taken
+               and not any(person in by_name[id(one)] for one in unknown)]
     submissions += [Submission('', person.person or person.cell('id'), 'the class list alone',
                                person.cell('id'), person.person,
                                'handed in nothing') for person in missing]
