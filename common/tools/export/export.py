@@ -7,12 +7,14 @@ usage: ./course export --chapters 00-06 FOLDER
 
 KEPT decides: the last pattern that fits a path counts, and a folder NN_name or a file NN_... of a
 chapter that is not exported never fits. Pages lose their answers, the rows of chapters that are not
-there, and links that would lead nowhere: these become text."""
+there, lines with commands that the copy lacks, and links that would lead nowhere: these become
+text. The tests of a chapter get the lessons beside it that they read: tests/neighbors/."""
 import argparse
 import fnmatch
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -34,6 +36,8 @@ KEPT = """
 PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
 OF_CHAPTER = re.compile(
     r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter|thumb)_(\d\d)\.')
+LACKING = re.compile(r'(?:\||(?=\./course )).*\./course '
+                     r'(?:grade|export|pages|playground|bench|numbers|assets|steps)\b')
 LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
 
 
@@ -98,7 +102,8 @@ def without_dead_links(text, path, is_there):
     def row_stays(line):
         first = re.match(r'\| \[[^\]]*\]\((chapters/[^)]*)\)', line)
         image = re.match(r'(?:<a href="[^"]*">)?<img src="([^"]*)"', line)
-        return not (first and not leads(first[1]) or image and not leads(image[1]))
+        return not (LACKING.match(line) or first and not leads(first[1])
+                    or image and not leads(image[1]))
 
     lines = ''.join(line for line in text.splitlines(keepends=True) if row_stays(line))
     return in_text(lines, lambda piece: LINK.sub(shown, piece))
@@ -131,6 +136,14 @@ def export(root, folder, chosen):
             data = without_solution(data.decode()).encode()
         (folder / path).write_bytes(data)
         (folder / path).chmod((root / path).stat().st_mode & 0o777)
+    for path in sorted(kept):
+        if path.startswith('tests/chapters/') and OF_CHAPTER.search(path):
+            for name in re.findall(r'^#include "(\d\d_\w+)/', (root / path).read_text(), re.M):
+                if f'chapters/{name}' not in folders:
+                    shutil.copytree(root / 'chapters' / name, folder / 'tests/neighbors' / name,
+                                    ignore=lambda _, names: [one for one in names
+                                                             if not one.endswith('.hpp')],
+                                    dirs_exist_ok=True)
     exercises = sorted(path[16:20].replace('_', '.') for path in kept
                        if path.startswith('tests/exercises/'))
     for exercise in exercises:  # in this tree somebody may have written an answer
