@@ -247,7 +247,8 @@ class Grading:
         if not self.submissions:
             raise GradeError('there is nothing to grade: no folder is in there')
         pages = results.page_names([submission.name for submission in self.submissions])
-        self.students = [Student(one.folder, one.name, page, one.note, [None] * len(self.items),
+        self.students = [Student(one.folder, one.name, page, '; '.join(
+            filter(None, (one.note, one.versions.get('')))), [None] * len(self.items),
                                  one.id, one.person)
                          for one, page in zip(self.submissions, pages)]
         overrides = Path(self.options.overrides or self.out / 'overrides.csv')

@@ -6,7 +6,6 @@ student's, unless work lies in that folder itself. A student's folder is searche
 as students pack the same work in many ways: ada/03.png, ada/out/03_image.png,
 ada/texmap-main/chapters. Archives are read as folders. Links below the folders that were named are
 not followed."""
-import ast
 import bz2
 import collections
 import contextlib
@@ -64,8 +63,8 @@ NOBODY = re.compile(r'(?:chapter|kapitel|ch|kap|screen ?shot|bildschirmfoto|pict
                     r'bild|homework|hw|exercise|old|new|final|my|render|output|out|result)s?|\W*',
                     re.I)
 MONTHS = {month: number for number, months in enumerate(
-    'jan ene|feb fév fev|mar mär|apr avr abr|may mai mei|jun|jul|aug aoû aou ago|sep set|oct okt|'
-    'nov|dec déc dez dic des'.split('|'), 1) for month in months.split()} | {'juil': 7}
+    'jan ene|feb fév|mar mär|apr avr abr|may mai|jun juin|jul juil|aug aoû ago|sep|oct okt|nov|'
+    'dec déc dez dic des'.split('|'), 1) for month in months.split()}
 ARCHIVE = re.compile(r'\.(?:zip|tar|tgz|txz|tbz2?|tar\.(?:gz|bz2|xz)|7z|rar)$', re.I)
 # Programs for archives that Python does not read: how they list names, and write out one file.
 PROGRAMS = {'unrar': (['lb', '-p-', '--'], ['p', '-inul', '-p-', '--'])} | {
@@ -446,9 +445,9 @@ def search(chapters, submission, path=''):
     if not found.checkout:
         submission.pictures, submission.versions = found.pictures()
         submission.seen = found.what_else() or submission.seen
-    elif len({when for when, _ in found.checkouts}) > 1:
-        submission.note = (f'the newest of {len(found.checkouts)}: '
-                           f'{clean(shown_name(os.path.basename(found.checkout)))}')
+    elif len(found.checkouts) > 1:
+        submission.versions[''] = (f'the newest of {len(found.checkouts)}: '
+                                   f'{clean(shown_name(os.path.basename(found.checkout)))}')
     if found.entries > MOST_ENTRIES:
         submission.note = f'the folder has more than {MOST_ENTRIES} files; not all were looked at'
     return submission
@@ -476,20 +475,16 @@ def submission_of(chapters, entry, folder):
 
 
 def time_of(words):
-    """A time as numbers that can be compared: of "2026-11-20-13-45-07", "20 nov. 2026 1345", or
+    """A time, as numbers that can be compared: of "2026-11-20-13-45-07", "20 nov. 2026 13:45", or
     "Nov 20, 2026 145 PM"; of a version's number this number."""
-    month = next((MONTHS[word[:length]] for word in re.findall(r'[^\W\d_]+', words.casefold())
-                  for length in (4, 3) if word[:length] in MONTHS), 0)
-    numbers = [int(number) for number in re.findall(r'\d+', words)]
+    words, numbers = words.casefold(), tuple(map(int, re.findall(r'\d+', words)))
+    month, noon = re.search('|'.join(MONTHS), words), re.search(r'[ap](?=\.?m\b)', words)
     if not month or len(numbers) < 2:
-        return tuple(numbers)
-    year = next((number for number in numbers if number > 1900), 0)
-    day, *clock = [number for number in numbers if number != year] or [0]
-    clock = clock[:1] if len(clock) == 1 else [100 * clock[0] + clock[1]] if clock else []
-    noon = re.search(r'(?<![^\W\d_])([ap])\.?m\b', words.casefold())
-    if clock and noon:
-        clock = [clock[0] % 1200 + 1200 * (noon[1] == 'p')]
-    return (year, month, day, *clock)
+        return numbers
+    clock = int(''.join(f'{number:02}' for number in numbers[2:4]) or 0)
+    day, year = sorted(numbers[:2])
+    return (year, MONTHS[month[0]], day,
+            clock % 1200 + 1200 * (noon[0] == 'p') if noon else clock)
 
 
 def named_by(chapters, rules, entries):
@@ -511,23 +506,21 @@ def named_by(chapters, rules, entries):
 
 def named_by_systems(chapters, entries):
     """The same for learning systems. Gradescope has a file that says whose a folder is."""
-    told = next((entry.path for entry in entries if entry.name == 'submission_metadata.yml'), None)
+    told = next((entry.path for entry in entries
+                 if entry.name == 'submission_metadata.yml' and not entry.is_link), None)
     people, folder = {}, ''
     for line in Path(told).read_text('utf-8', 'replace').splitlines() if told else ():
         begins = re.match(r'([^\s:-][^:]*):\s*$', line)
         folder = begins[1].strip('"\'') if begins else folder
-        said = re.match(r'\s+(- )?:(name|sid|email): *(.+)', line) or re.match(
-            r'(- )?:(name|sid|email): *(.+)', line)
-        if said and (said[1] or people.get(folder)):
-            if said[1]:
-                people.setdefault(folder, []).append({})
-            word = said[3].strip()
-            with contextlib.suppress(SyntaxError, ValueError):
-                word = str(ast.literal_eval(word)) if word[0] in '"\'' else word
-            people[folder][-1].setdefault(said[2], word)
-    found = [(entry, 'Gradescope', {'who': one.get('name') or one.get('email', folder),
-                                    'id': one.get('sid') or one.get('email', ''),
-                                    'email': one.get('email', '')})
+        said = re.match(r'\s*(- )?:(name|sid|email): *(.*?)\s*$', line)
+        if said and said[1]:
+            people.setdefault(folder, []).append(collections.defaultdict(str))
+        if said and folder in people:
+            people[folder][-1][said[2]] = re.sub(
+                r'\\(?:x([0-9A-F]{2})|u([0-9A-F]{4}))',
+                lambda code: chr(int(code[1] or code[2], 16)), said[3].strip('"\'').replace("''", "'"))
+    found = [(entry, 'Gradescope', {'who': one['name'] or one['email'] or entry.name,
+                                    'id': one['sid'] or one['email'], 'email': one['email']})
              for entry in entries for one in people.get(entry.name, [])]
     return found or named_by(chapters, {} if told else SYSTEMS, entries)
 
@@ -646,7 +639,7 @@ def students_in(chapters, folder, entry, single, one, each):
     found = submissions_of_systems(chapters, level.shown, named)
     for part in level.with_work if named else below:
         shown = os.path.join(level.shown, part.name)
-        inner = named_by_systems(chapters, entries_of(part.path))
+        inner = named_by(chapters, SYSTEMS, entries_of(part.path))
         found += submissions_of_systems(chapters, shown,
                                         inner) if inner else [submission_of(chapters, part, shown)]
     nobodys = min(own.candidates.items(), default=None)
@@ -717,7 +710,7 @@ def who_was_found(submissions, items):
         files = [f'{item.number} ' + (why_not or one.versions.get(item.name)
                                       or os.path.basename(path)) for item in items
                  for path, why_not in [one.pictures.get(item.name, ('', ''))] if path]
-        files = ['a checkout', one.note] if one.checkout else files
+        files = ['a checkout', *one.versions.values()] if one.checkout else files
         who = f'{one.name} ({one.id})' if one.id not in one.name else one.name
         kind = 0 if not files else 2 - bool(one.versions)
         lines.append((kinds[kind] // 3, kind, '  ' + who + ': ' + ('; '.join(filter(None, files))
