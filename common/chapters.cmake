@@ -173,9 +173,6 @@ function(add_chapter name)
   add_executable(${name} "${TEXMAP_CHAPTERS}/${name}/main.cpp")
   target_compile_definitions(${name} PRIVATE TEXMAP_CHAPTER="${name}")
   target_link_libraries(${name} PRIVATE project_options run ${ARG_ON})
-  if(NOT TEXMAP_LEARN)
-    target_link_libraries(${name} PRIVATE trade)
-  endif()
   if(further)  # objects and not an archive: wide packs come after them
     set(sources "")
     foreach(source IN LISTS further)  # the course's own where a student's folder has none
