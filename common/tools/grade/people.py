@@ -19,7 +19,7 @@ HEADS = {
           'matrikelnummer|anmeldename|benutzername|nutzername|teilnehmernummer|kennung|'
           'numero d.(identification|etudiant)|identifiant|matricule|nom d.utilisateur|'
           'id (de l.)?etudiant|(adresse (de )?)?(courriel|e-?mail|messagerie)|'
-          'numero de (id|identificacion|matricula)|matricula|identificador|'
+          'numero de (id|identificacion|matricula)|matricula|identificador|identifikator|'
           'id del? (estudiante|usuario)|(nombre de )?usuario|'
           '(direccion de )?(correo|e-?mail)( electronico)?|dni|brukernavn|studentnummer|'
           'kandidatnummer|e-?post(adresse)?|学号|学生 ?(id|编号|号)|编号|工号|用户名|登录名?|登录id|id号|识别号|身份标识|'
@@ -74,7 +74,7 @@ def plain(text):
 
 def kinds_of(cells, columns):
     """For each cell of a head the kind of the column; columns has those that are named by hand."""
-    words = [re.sub(r'[(/:].*', '', plain(cell).strip(' #"*\ufeff')).strip() for cell in cells]
+    words = [re.sub(r'[(（/:].*', '', plain(cell).strip(' #"*\ufeff')).strip() for cell in cells]
     kinds = [next((kind for kind, names in HEADS.items() if re.fullmatch(names, word)), '')
              for word in words]
     if columns:

@@ -36,7 +36,8 @@ PACKING = re.compile(
     'bilder|homework|hw|images|pictures|png|screenshots|.*-(main|master)|.*(texmap|texture).*')
 # A folder for each time that a student handed in; what is in the newest counts.
 VERSION = re.compile(r'(?:version|versi[oó]n|versjon|attempt|versuch|abgabe|tentative|'
-                     r'intento|forsøk|v|版本|提交)[ _-]*(\d{1,4})', re.I)
+                     r'intento|forsøk|v|版本|提交)[ _-]*\d{1,4}|'
+                     r'\d{4}-\d\d?-\d\d?(\D.*)?', re.I)
 # The sign of a file that is there again: "03 (2).png" of browsers and drives, "03_v2.png".
 AGAIN = r'(?: ?\((\d{1,3})\)|[ _-]v(\d{1,3}))'
 # What is in a name beside its student: CHAPTER stands for a chapter's own name, NUMBER for its
@@ -67,9 +68,10 @@ MONTHS = {month: number for number, months in enumerate(
     'dec déc dez dic des'.split('|'), 1) for month in months.split()}
 ARCHIVE = re.compile(r'\.(?:zip|tar|tgz|txz|tbz2?|tar\.(?:gz|bz2|xz)|7z|rar)$', re.I)
 # Programs for archives that Python does not read: how they list names, and write out one file.
-PROGRAMS = {'unrar': (['lb', '-p-', '--'], ['p', '-inul', '-p-', '--'])} | {
-    name: (['l', '-ba', '-slt', '-sccUTF-8', '-p-', '--'], ['x', '-so', '-spd', '-p-', '--'])
-    for name in ('7z', '7zz')} | {'bsdtar': (['-tf'], ['-xOf'])}
+# PATH and NAME are no options, whatever a student calls them.
+PROGRAMS = {'unrar': ('lb -p- -- PATH', 'p -inul -p- -@ -- PATH NAME')} | dict.fromkeys(
+    ('7z', '7zz'), ('l -ba -slt -sccUTF-8 -p- -- PATH', 'x -so -spd -p- -- PATH NAME')) | {
+        'bsdtar': ('-tf PATH', '-xOf PATH -- NAME')}
 
 
 @dataclasses.dataclass
@@ -113,9 +115,11 @@ WHY_NOT = {}  # by path: why an archive is not read, if there is a remedy
 
 
 @contextlib.contextmanager
-def output_of(*command):
-    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL) as process:
+def output_of(program, words, path, name=''):
+    command = [{'PATH': path, 'NAME': name}.get(word, word) for word in words.split()]
+    with subprocess.Popen([program, *command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL,
+                          env=os.environ | {'LC_ALL': 'C.UTF-8'}) as process:
         try:
             yield process.stdout
         finally:
@@ -154,16 +158,16 @@ def members_by_program(path, most):
         raise ValueError
     for program in fit:
         to_list, to_read = PROGRAMS[program]
-        with output_of(program, *to_list, path) as listed:
+        with output_of(program, to_list, path) as listed:
             names = os.fsdecode(listed.read(most)).splitlines()
         names = [name.removeprefix('Path = ') for name in names
-                 if to_list[0] != 'l' or name.startswith('Path = ')]
+                 if '-slt' not in to_list or name.startswith('Path = ')]
         folders = {folder for name in names for folder in map(str, Path(name).parents)}
         for name in names:
-            if name in folders:
+            if os.path.normpath(name) in folders:
                 continue
             asked = re.sub(r'([*?\[\]\\])', r'\\\1', name) if program == 'bsdtar' else name
-            yield name, 0, lambda: output_of(program, *to_read, path, asked)
+            yield name, 0, lambda: output_of(program, to_read, path, asked)
         if names:
             return
     raise ValueError
@@ -360,7 +364,7 @@ class Search:
             if (level < levels or version) and (
                     not self.checkouts or version or part.when or when):
                 self.look_into(entries_of(part.path), part.path, level + (not version), levels,
-                               (part.when or when) + ((int(version[1]),) if version else ()))
+                               (part.when or when) + (time_of(part.name) if version else ()))
 
     def take_picture(self, entry, level, when):
         stem, ending = os.path.splitext(entry.name)
@@ -457,21 +461,21 @@ def submission_of(chapters, entry, folder):
     """That of a student who has a folder, or something that should be one."""
     result = Submission(shown_name(folder), shown_name(entry.name), person=nfc(entry.name))
     if entry.is_link:
-        result.note = result.why = 'the folder is a link; links are not followed'
-        return result
-    if ARCHIVE.search(entry.name) and not entry.is_folder:
+        result.why = 'the folder is a link; links are not followed'
+    elif not entry.is_folder:
         result.name = ARCHIVE.sub('', result.name)
         result.person = nfc(result.name)
-        result.note = result.why = 'the archive cannot be read' + (
-            f': {WHY_NOT[entry.path]}' if entry.path in WHY_NOT else '')
-        return result
-    try:
-        os.scandir(entry.path).close()
-    except OSError as error:
-        result.note = result.why = f'the folder cannot be read: {error.strerror}'
-        return result
-    result.parts = entries_of(entry.path)
-    return search(chapters, result, entry.path)
+        result.why = ': '.join(filter(None, ('the archive cannot be read',
+                                             WHY_NOT.get(entry.path))))
+    else:
+        try:
+            os.scandir(entry.path).close()
+            result.parts = entries_of(entry.path)
+            return search(chapters, result, entry.path)
+        except OSError as error:
+            result.why = f'the folder cannot be read: {error.strerror}'
+    result.note = result.why
+    return result
 
 
 def time_of(words):
@@ -518,7 +522,8 @@ def named_by_systems(chapters, entries):
         if said and folder in people:
             people[folder][-1][said[2]] = re.sub(
                 r'\\(?:x([0-9A-F]{2})|u([0-9A-F]{4}))',
-                lambda code: chr(int(code[1] or code[2], 16)), said[3].strip('"\'').replace("''", "'"))
+                lambda code: chr(int(code[1] or code[2], 16)),
+                said[3].strip('"\'').replace("''", "'"))
     found = [(entry, 'Gradescope', {'who': one['name'] or one['email'] or entry.name,
                                     'id': one['sid'] or one['email'], 'email': one['email']})
              for entry in entries for one in people.get(entry.name, [])]
