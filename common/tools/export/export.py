@@ -36,8 +36,10 @@ KEPT = """
 PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
 OF_CHAPTER = re.compile(
     r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter|thumb)_(\d\d)\.')
-LACKING = re.compile(r'(?:\||(?=\./course )).*\./course '
-                     r'(?:grade|export|pages|playground|bench|numbers|assets|steps)\b')
+# Lines of ./course help, which may go on, and of pages: commands that the copy lacks.
+LACKING = re.compile(
+    r'^(?:(?:\|.*| *)\./course (?:grade|export|pages|playground|bench|numbers|assets|steps)\b'
+    r'|The tests of the benchmarks ).*\n(?: {30}.*\n)*', re.M)
 LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
 
 
@@ -102,10 +104,10 @@ def without_dead_links(text, path, is_there):
     def row_stays(line):
         first = re.match(r'\| \[[^\]]*\]\((chapters/[^)]*)\)', line)
         image = re.match(r'(?:<a href="[^"]*">)?<img src="([^"]*)"', line)
-        return not (LACKING.match(line) or first and not leads(first[1])
-                    or image and not leads(image[1]))
+        return not (first and not leads(first[1]) or image and not leads(image[1]))
 
-    lines = ''.join(line for line in text.splitlines(keepends=True) if row_stays(line))
+    lines = ''.join(line for line in LACKING.sub('', text).splitlines(keepends=True)
+                    if row_stays(line))
     return in_text(lines, lambda piece: LINK.sub(shown, piece))
 
 
@@ -132,6 +134,8 @@ def export(root, folder, chosen):
         if path in pages:
             data = without_dead_links(pages[path], path,
                                       lambda target: target in kept or target in folders).encode()
+        elif path == 'course':
+            data = LACKING.sub('', data.decode()).encode()
         elif path.startswith('tests/exercises/'):
             data = without_solution(data.decode()).encode()
         (folder / path).write_bytes(data)
