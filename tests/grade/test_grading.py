@@ -383,8 +383,9 @@ class Folders(Course):
                 ('03_image_texture_Jane Doe.png|03_image_texture_王小明.png',
                  'Jane Doe||Doe.png; 王小明||明.png'),
                 # one student's files
-                ('03.png|04.png|screenshot 03.png|old_03_image_texture.png',
+                ('03.png|04.png|screenshot 03.png|old_03_image_texture.png|globe 03.png',
                  'class||03.png,04.png'),
+                ('ada/03_image_texture - Copy.png|ada/old_03.png', 'ada||Copy.png'),
                 ('Doe, Jane(jd)/Submission attachment(s)/03.png|Roe, Max(mr)/timestamp.txt',
                  'Doe, Jane|jd|03.png; Roe, Max|mr|')]:
             with self.subTest(paths):
@@ -535,8 +536,8 @@ for name; do :; done
                 (['Jane - 03.png', 'jane doe - 04.png', '李 - 03.png'],
                  'Fornavn;Etternavn;Brukernavn\nJane;Doe;7\n李;;9\n'.encode('gb18030'), '',
                  'Jane ; Jane Doe 7; 李 9'),
-                (['李/03.png', 'ada/03.png'], '姓,名,学号\n李,,9\n'.encode('gb18030'), '',
-                 '李 9; ada '),
+                (['王小明/03.png', 'ada/03.png'], '姓,名,学号\n王,小明,9\n'.encode('gb18030'), '',
+                 '王小明 9; ada '),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '', 'has: Matrikel, Wer. Heads such as '),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '--columns id=Matrikel,name=Wer',
                  'ada 1')]:

@@ -16,20 +16,20 @@ from submissions import Submission, search
 HEADS = {
     'id': 'folder|id|sid|identifier|id[- ]?number|user ?id|user ?name|login( id)?|orgdefinedid|'
           'sis (user|login) id|student[- _]?(id|no|number)|e-?mail([- ]ad(d)?resse?)?|id-?nummer|'
-          'matrikelnummer|anmeldename|benutzername|nutzername|teilnehmernummer|kennung|'
-          'numero d.(identification|etudiant)|identifiant|matricule|nom d.utilisateur|'
-          'id (de l.)?etudiant|(adresse (de )?)?(courriel|e-?mail|messagerie)|'
-          'numero de (id|identificacion|matricula)|matricula|identificador|identifikator|'
-          'id del? (estudiante|usuario)|(nombre de )?usuario|'
-          '(direccion de )?(correo|e-?mail)( electronico)?|dni|brukernavn|studentnummer|'
-          'kandidatnummer|e-?post(adresse)?|学号|学生 ?(id|编号|号)|编号|工号|用户名|登录名?|登录id|id号|识别号|身份标识|'
+          '(matrikel|student|kandidat)-?(nummer|nr[.]?)|anmeldename|benutzername|nutzername|'
+          'teilnehmernummer|kennung|(numero|n.|no) (d.)?(identification|etudiant)|identifiant|'
+          'matricule|nom d.utilisateur|id (de l.)?etudiant|'
+          '(adresse (de )?)?(courriel|e-?mail|messagerie)|numero de (id|identificacion|matricula)|'
+          'matricula|identificador|identifikator|id del? (estudiante|usuario)|'
+          '(nombre de )?usuario|(direccion de )?(correo|e-?mail)( electronico)?|dni|brukernavn|'
+          'nia|e-?post(adresse)?|学号|学生 ?(id|编号|号)|编号|工号|用户名|登录名?|登录id|id号|识别号|身份标识|'
           '(电子)?(邮件|邮箱)(地址)?|學號|使用者名稱|電子郵件',
     'name': 'student|name|person|full name|student name|display name|vollstandiger name|'
-            'vor- und nachname|nom|nom complet|nom et prenom|etudiant|nombre|nombre completo|'
+            'vor- und nachname|nom|nom complet|nom et prenom|etudiant(.e)?|nombre|nombre completo|'
             'nombre y apellidos|apellidos y nombre|estudiante|alumno|navn|fullt navn|姓名|全名|学生|'
             '学生姓名|名字|名称|學生',
-    'last': 'last ?name|surname|family name|last|nachname|familienname|nom de famille|apellidos?|'
-            'etternavn|姓|姓氏',
+    'last': 'last ?name|surname|family name|last|nachname|familienname|nom d(e famille|.usage)|'
+            'apellidos?|etternavn|姓|姓氏',
     'first': 'first ?name|given name|first|vorname|prenom|prenoms|nombre de pila|fornavn|名',
     'group': '(group|team)( ?name)?|groups|gruppen?|gruppenname|groupes?|equipe|grupos?|equipo|'
              'gruppenavn|小组|组|分组|小组名称|組',
@@ -55,7 +55,9 @@ class Line:
         """The name as one says it."""
         name = self.cell('name') or ', '.join(filter(None, (self.cell('last'), self.cell('first'))))
         last, comma, first = name.partition(',')
-        return nfc(f'{first.strip()} {last.strip()}' if comma else name)
+        blank = ' ' * (not re.match('[\u3400-\u9fff]', last))  # 王, 小明 is 王小明
+        words = [first.strip(), last.strip()][::1 if blank else -1]
+        return nfc(blank.join(words) if comma else name)
 
     @property
     def ids(self):

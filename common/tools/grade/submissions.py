@@ -61,8 +61,8 @@ OTHERS = {
     'numbers': r'(?P<who>\S.*?)(?:(?<=[^\x00-\x7f])|-|[ _]+)'
                r'(?P<rest>NUMBER(?:AGAIN)?(?:\.\w+)?)'}
 NOBODY = re.compile(r'(?:chapter|kapitel|ch|kap|screen ?shot|bildschirmfoto|picture|image|img|pic|'
-                    r'bild|homework|hw|exercise|old|new|final|my|render|output|out|result)s?|\W*',
-                    re.I)
+                    r'bild|homework|hw|exercise|old|new|alt|neu|finale?|my|render|output|out|'
+                    r'result|texture|globe|cop(y|ie|ia)|kopie?|副本)s?|\W*', re.I)
 MONTHS = {month: number for number, months in enumerate(
     'jan ene|feb fév|mar mär|apr avr abr|may mai|jun juin|jul juil|aug aoû ago|sep|oct okt|nov|'
     'dec déc dez dic des'.split('|'), 1) for month in months.split()}
