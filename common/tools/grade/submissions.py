@@ -450,8 +450,8 @@ def search(chapters, submission, path=''):
         submission.pictures, submission.versions = found.pictures()
         submission.seen = found.what_else() or submission.seen
     elif len(found.checkouts) > 1:
-        submission.versions[''] = (f'the newest of {len(found.checkouts)}: '
-                                   f'{clean(shown_name(os.path.basename(found.checkout)))}')
+        shown = clean(shown_name(os.path.basename(found.checkout)))
+        submission.versions = {'': f'the newest of {len(found.checkouts)}: {shown}'}
     if found.entries > MOST_ENTRIES:
         submission.note = f'the folder has more than {MOST_ENTRIES} files; not all were looked at'
     return submission
