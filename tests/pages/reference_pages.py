@@ -29,7 +29,7 @@ UNREAD = 'docs/|tests/(?!exercises/|golden/).*pp$|tests/pages/reference'
 # What a page makes up as an example, and what other programs have.
 NOT_OURS = re.compile(
     r'15_marble|[a-z] 15$|02[._]4|twice_places|globe\.cpp|classroom|Your[A-Z]|--second|nlohmann/'
-    r'|bookworm|submission_metadata|files/Jane|Identifier|Username|_onlinetext'
+    r'|bookworm|Identifier|Username|_onlinetext|submission_metadata|Submitted files'
     r'|--(args|install|posix|x-feature)')
 OPTION = r'(?<![\w-])--[a-z][\w-]*'
 EXERCISES = r'(?:hapters?|xercises?|course [a-z]+)((?:,? (?:and |or |to )?\d\d(?:\.\d)?(?![.\d]))+)'
