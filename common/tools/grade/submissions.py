@@ -6,6 +6,7 @@ student's, unless work lies in that folder itself. A student's folder is searche
 as students pack the same work in many ways: ada/03.png, ada/out/03_image.png,
 ada/texmap-main/chapters. Archives are read as folders. Links below the folders that were named are
 not followed."""
+import atexit
 import bz2
 import collections
 import contextlib
@@ -106,7 +107,9 @@ class Submission:
 @functools.cache
 def scratch():
     """A folder that is removed at the end."""
-    return tempfile.TemporaryDirectory(prefix='grade-')
+    place = tempfile.TemporaryDirectory(prefix='grade-')
+    atexit.register(place.cleanup)
+    return place
 
 
 NAMED = set()  # folders with what was unpacked of archives that the instructor named
