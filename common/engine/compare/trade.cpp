@@ -104,7 +104,8 @@ std::string recommendation(const TradePart& part, const std::string& command) {
   };
   const auto has_no_error = [](const Way& way) { return way.levels == 0; };
   const Way& same = fastest(part, has_no_error);
-  if (std::ranges::count_if(part.ways, has_no_error) > 1) advise("the same picture", same);
+  if (std::count_if(part.ways.begin(), part.ways.end(), has_no_error) > 1)
+    advise("the same picture", same);
   for (const int levels : {1, 4}) {
     const Way& way = fastest(part, [&](const Way& each) { return each.levels <= levels; });
     if (&way != &same && way.levels > levels / 4)
