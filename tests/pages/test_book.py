@@ -197,7 +197,7 @@ USES = {
              ".open').length === 4"),
     ],
     "12_environment_map.html": [("", "fraction('2π', 'width') && "
-                                     "texts('mi').includes('polar_angle')")],
+                                     "texts('mi').includes('albedo')")],
     "04_uv_conventions.html": [("", "texts('.quad figcaption')[0] === 'daily exercise: u runs "
                                     "west, v runs south, a picture on it is mirrored'")],
     "13_speed_for_accuracy.html": [
