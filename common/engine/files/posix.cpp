@@ -61,19 +61,21 @@ std::filesystem::path end_of_links(std::filesystem::path path) {
 
 // The number of an open file that a path names, such as /dev/stdout: what was opened may have been
 // opened for appending. None for other paths.
-std::optional<int> open_file_of(const std::filesystem::path& named) {
-  const std::string path = named.lexically_normal().string();
-  if (path == "/dev/stdout") return STDOUT_FILENO;
-  if (path == "/dev/stderr") return STDERR_FILENO;
-  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-    const std::string number = path.starts_with(folder) ? path.substr(folder.size()) : "";
-    if (!number.empty() && number.size() < 6 &&
-        number.find_first_not_of("0123456789") == std::string::npos)
-      return std::stoi(number);
-  }
+std::optional<int> open_file_of(std::filesystem::path named) {
   std::error_code error;
-  const std::filesystem::path next = std::filesystem::read_symlink(named, error);
-  return !error && next.is_absolute() ? open_file_of(next) : std::nullopt;
+  for (int link = 0; link <= most_links && !error && (link == 0 || named.is_absolute()); ++link) {
+    const std::string path = named.lexically_normal().string();
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+      const std::string number = path.starts_with(folder) ? path.substr(folder.size()) : "";
+      if (!number.empty() && number.size() < 6 &&
+          number.find_first_not_of("0123456789") == std::string::npos)
+        return std::stoi(number);
+    }
+    named = std::filesystem::read_symlink(named, error);
+  }
+  return std::nullopt;
 }
 
 // A file that can be written, as far as one can tell before.

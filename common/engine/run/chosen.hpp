@@ -51,8 +51,8 @@ class Chosen {
  public:
   /// Adds the options of all chapters to the offer's line, which must live as long.
   ///
-  /// @param chapter  its folder's name, such as 02_checkerboard_uv: the picture's default name
-  Chosen(std::string_view chapter, const Offer& offer, const About& about);
+  /// @param name  of the chapter's folder, such as 02_checkerboard_uv: the picture's default name
+  Chosen(std::string_view name, const Offer& offer, const About& about);
   Chosen(const Chosen&) = delete;  // the options keep the places of its settings
   Chosen& operator=(const Chosen&) = delete;
 

@@ -282,7 +282,8 @@ std::string number_in(const std::string& name) {
     return i < name.size() && name[i] >= '0' && name[i] <= '9';
   };
   for (std::size_t i = 0; i + 2 < name.size(); ++i) {
-    const std::string number = name.substr(i, 2), before = name.substr(0, i);
+    std::string number = name.substr(i, 2);
+    const std::string before = name.substr(0, i);
     const bool is_alone = i == 0 || std::isalnum(static_cast<unsigned char>(name[i - 1])) == 0 ||
                           before.ends_with("ch") || before.ends_with("chapter");
     if (is_alone && digit(i) && digit(i + 1) && !digit(i + 2) && number > "00" && number < "15")

@@ -861,9 +861,10 @@ Slip wrong_shadows(const Image& drawn, const StageView& stage) {
     return {"full of dark dots: shadow acne, since the shadow ray meets the surface that it leaves",
             "start a little above the surface, or leave out the object that was hit"};
   }
-  if (some(bright) && dark * 50 < bright)
+  if (some(bright) && dark * 50 < bright) {
     return {"some shadows are missing: not every object is asked",
             "ask all objects, or all but the own"};
+  }
   return {};
 }
 

@@ -41,6 +41,7 @@ TEST_CASE("what cannot be loaded or written is named in words, and at once") {
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
   fs::create_symlink("nowhere", folder / "dangling");
   fs::create_symlink("loop", folder / "loop");
+  fs::create_symlink(folder / "ring", folder / "ring");
   put(folder / "empty.png", {});
   put(folder / "sparse.png", {});
   fs::resize_file(folder / "sparse.png", std::uintmax_t{10} << 30);
@@ -55,7 +56,8 @@ TEST_CASE("what cannot be loaded or written is named in words, and at once") {
            {"/dev/zero", "it is a device, not a file"}}) {
     CHECK(error_of_loading(path) == "cannot load texture '" + path + "': " + why);
   }
-  CHECK(error_of_checking(folder / "loop") == "cannot write '" + (folder / "loop") + "': " + loop);
+  for (const std::string& path : {folder / "loop", folder / "ring"})
+    CHECK(error_of_checking(path) == "cannot write '" + path + "': " + loop);
   CHECK(error_of_saving(folder / "pipe") ==
         "cannot write '" + (folder / "pipe") + "': nobody is at the other end of the pipe");
   if (fs::exists("/dev/full"))
