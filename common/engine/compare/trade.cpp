@@ -44,7 +44,7 @@ const Way& fastest(const TradePart& part, const May& may) {
 }  // namespace
 
 void measure_trade(std::vector<TradePart>& parts, double seconds,
-                   const std::function<void(int, int)>& tick) {
+                   const std::function<void(int, int)>& report) {
   const int count = static_cast<int>(parts.size());
   for (int i = 0; i < count; ++i) {
     TradePart& part = parts[static_cast<std::size_t>(i)];
@@ -63,7 +63,7 @@ void measure_trade(std::vector<TradePart>& parts, double seconds,
     const std::vector<Work> first(works.begin(), works.begin() + 1);
     const WorkTime alone = work_times(first, std::max(rounds / 5, 1)).front();
     const std::vector<WorkTime> times =
-        work_times(works, rounds, [&](int done, int all) { tick(i * all + done, count * all); });
+        work_times(works, rounds, [&](int done, int all) { report(i * all + done, count * all); });
     for (std::size_t k = 0; k < times.size(); ++k) part.ways[k].took = times[k];
     const std::string wrong = disagreement(alone, times.front());
     if (!wrong.empty()) throw std::runtime_error(wrong);

@@ -30,10 +30,10 @@ struct TradePart {
 /// of a part timed alternately.
 ///
 /// @param seconds  of timing, about, for each part
-/// @param tick     called with how many parts of the work are done, and how many there are
+/// @param report   called with how many parts of the work are done, and how many there are
 /// Errors: std::runtime_error if the first way took longer among the others than alone.
 void measure_trade(std::vector<TradePart>& parts, double seconds,
-                   const std::function<void(int, int)>& tick);
+                   const std::function<void(int, int)>& report);
 
 /// The table of a part, for a command such as "./course run 03".
 [[nodiscard]] std::string table_of(const TradePart& part, const std::string& command);
