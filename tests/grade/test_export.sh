@@ -29,8 +29,11 @@ says 2 "outside of the course" "$root/course" export --chapters 02 "$root/kit"
 says 0 "chapters 00, 01, 02, 03, 04, 05 with 15 exercises" "$root/course" export --chapters 00-05 kit
 # Any chapters: the suites of 00, 03 and 06 read the lessons of 02 and 05.
 says 0 "chapters 00, 03, 06" "$root/course" export --chapters 00,03,06 gaps
-(cd gaps && cmake --preset learn >gaps.log && cmake --build build/learn --parallel 2 --target chapter_suites) >build.log || fail "gaps: it does not build"
-[ "$(cd gaps && ctest --preset learn -N -R '^test_0[036]_' | grep -c ' #')" = 3 ] || fail "gaps: a suite is left out"
+(cd gaps && cmake --preset learn >gaps.log &&
+  cmake --build build/learn --parallel 2 --target chapter_suites) >build.log ||
+  fail "gaps: it does not build"
+[ "$(cd gaps && ctest --preset learn -N -R '^test_0[036]_' | grep -c ' #')" = 3 ] ||
+  fail "gaps: a suite is left out"
 (cd gaps && ctest --preset learn -R '^test_0[036]_') >>build.log || fail "gaps: a test fails"
 says 2 "not empty" "$root/course" export --chapters 00-05 kit
 cd kit
@@ -48,7 +51,8 @@ says 2 "there is no exercise '06.1'" ./course check 06.1
 says 1 "'grade' is not in this copy" ./course grade .
 says 1 "'playground' is not in this copy" ./course playground
 says 0 "this text" ./course help
-! { ./course help && cat docs/commands.md docs/packages.md; } | grep -E "course (grade|export|pages|playground|bench|numbers|assets|steps)" ||
+! { ./course help && cat docs/commands.md docs/packages.md; } |
+  grep -E "course (grade|export|pages|playground|bench|numbers|assets|steps)" ||
   fail "the help or a page names a command that is not there"
 says 0 "100% tests passed" ./course test 02
 ! cmake --build build/learn --target book >book.log || says 0 "pages" build/learn/bin/book . out # stops at a link that leads nowhere

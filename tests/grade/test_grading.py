@@ -338,9 +338,9 @@ class Folders(Course):
                 ('Work/Submitted files/王小明/HW 3/Version 1/03.png|'
                  'Work/Submitted files/王小明/HW 3/Version 2/03.png|'
                  'Work/Submitted files/A. B. Müller/HW 3/Version 9/03_image_texture.png|'
-                 'Work/Submitted files/A. B. Müller/HW 3/Version 10/work/out/03.png|'
+                 'Work/Submitted files/A. B. Müller/HW 3/Version 10/mine/out/03.png|'
                  'Work/Working files/王小明/HW 3/03.png',
-                 '王小明||Version 2/03.png 2; A. B. Müller||Version 10/work/out/03.png 2'),
+                 '王小明||Version 2/03.png 2; A. B. Müller||Version 10/mine/out/03.png 2'),
                 ('homework/ada/03.png|homework/eve/2026-11-9/03.png|'
                  'homework/eve/2026-11-10 b/03.png|homework/bob/v2/03.png|'
                  'homework/bob/v10/chapters/03_image_texture/lesson.hpp',
@@ -371,7 +371,8 @@ class Folders(Course):
                  "2-7 - Zoë O'Brien-Li - Dec 1, 2026 1205 AM - Chapter 3.png|index.html",
                  "Jane Doe|1|130 PM - 03_image_texture.png 2; Zoë O'Brien-Li|2|Chapter 3.png"),
                 ('1-7 - Jane Doe - 30 nov. 2026 1330/out/03.png|'
-                 '1-7 - Jane Doe - 1 déc. 2026 930/out/03.png|2-7 - 王小明 - 2 dic. 2026 930/03.png',
+                 '1-7 - Jane Doe - 1 déc. 2026 930/out/03.png|'
+                 '2-7 - 王小明 - 2 dic. 2026 930/03.png',
                  'Jane Doe|1|déc. 2026 930/out/03.png 2; 王小明|2|03.png'),
                 # a drive, and forms
                 ('Jane Doe - 03_image_texture.png|Jane Doe - 04_uv_conventions.png|'
@@ -508,7 +509,8 @@ for name; do :; done
         for paths, table, options, people in [
                 (['Group 1-Jane Doe_12_assignsubmission_file/03.png',
                   flat.format("Group A-B-Zoë O'Brien-Li", 13), flat.format('Group-王小明', 14)],
-                 "Prénom,Nom,Numéro d’identification\nJane,Doe,7\nZoë,O'Brien-Li,8\n,王小明,9\n",
+                 "Prénom,Nom,Numéro d’identification\nJane,Doe,7\n"
+                 "Zoë,O'Brien-Li,8\n,王小明,9\n",
                  '', 'Jane Doe 12; Zoë O\'Brien-Li 13; 王小明 14'),
                 (['100-5 - Jane Doe - Nov 20, 2026 130 PM/03.png',
                   '100-5 - Jane Doe - Nov 21, 2026 130 PM/03.png',
@@ -521,7 +523,8 @@ for name; do :; done
                  'Ann Other 1234567; Zoë Li 7654321'),
                 (['a_export/submission_1/03.png', 'a_export/submission_2/03.png',
                   'a_export/submission_metadata.yml'],
-                 "姓名,学号,电子邮件\nJane Doe,7,\nZoë O'Brien-Li,8,zoe@x.org\n王小明,9,\n", '',
+                 "姓名,学号,电子邮件\nJane Doe,7,\n"
+                 "Zoë O'Brien-Li,8,zoe@x.org\n王小明,9,\n", '',
                  both.replace('8', 'zoe@x.org')),
                 # the id is that of one of the group
                 (['teamone_7_90500_03.png', 'teamtwo_9_90501_03.png', '王小明_9_90502_03.png'],
@@ -536,7 +539,8 @@ for name; do :; done
                 (['Jane - 03.png', 'jane doe - 04.png', '李 - 03.png'],
                  'Fornavn;Etternavn;Brukernavn\nJane;Doe;7\n李;;9\n'.encode('gb18030'), '',
                  'Jane ; Jane Doe 7; 李 9'),
-                (['王小明/03.png', 'ada/03.png'], '姓,名,学号\n王,小明,9\n'.encode('gb18030'), '',
+                (['王小明/03.png', 'ada/03.png'],
+                 '姓,名,学号\n王,小明,9\n'.encode('gb18030'), '',
                  '王小明 9; ada '),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '', 'has: Matrikel, Wer. Heads such as '),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '--columns id=Matrikel,name=Wer',

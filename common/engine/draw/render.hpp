@@ -80,7 +80,7 @@ template <class Real>
     if constexpr (std::is_same_v<Scalar<Real>, Real> || lanes < Real >> 1) {
       return (srgb_byte_exact(channel) + Real(0.5)) * Real(1.0 / 255);
     } else {
-      return srgb_encode(channel) + Real(0.5 / 255);  // an interval has no one byte
+      return srgb_encode(channel) + Real(0.5 / 255);  // an interval may span several bytes
     }
   };
   return {shown(light.r), shown(light.g), shown(light.b)};

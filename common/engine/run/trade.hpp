@@ -16,9 +16,9 @@ class CommandLine;
 /// Errors: UsageError where they do not go together, from it or from what it returns.
 using DrawingBy = std::function<std::function<Image()>(const std::vector<std::string>& words)>;
 
-/// Measures the ways to draw a picture that the program's options have, prints them, and writes
-/// their plot beside the picture: numbers and fast formulas against plain double, samples and
-/// filters against many samples. Errors: UsageError, FileError, std::runtime_error.
+/// Measures each way to draw a picture that the program's options offer. Numbers and fast formulas
+/// are compared with plain double, samples and filters with many samples. Prints a table, and
+/// writes a plot into the picture's folder. Errors: UsageError, FileError, std::runtime_error.
 ///
 /// @param words  that the user typed
 /// @param packs  the instructions that the program has packs of

@@ -22,12 +22,13 @@ HEADS = {
           '(adresse (de )?)?(courriel|e-?mail|messagerie)|numero de (id|identificacion|matricula)|'
           'matricula|identificador|identifikator|id del? (estudiante|usuario)|'
           '(nombre de )?usuario|(direccion de )?(correo|e-?mail)( electronico)?|dni|brukernavn|'
-          'nia|e-?post(adresse)?|学号|学生 ?(id|编号|号)|编号|工号|用户名|登录名?|登录id|id号|识别号|身份标识|'
+          'nia|e-?post(adresse)?|学号|学生 ?(id|编号|号)|编号|工号|用户名|'
+          '登录名?|登录id|id号|识别号|身份标识|'
           '(电子)?(邮件|邮箱)(地址)?|學號|使用者名稱|電子郵件',
     'name': 'student|name|person|full name|student name|display name|vollstandiger name|'
             'vor- und nachname|nom|nom complet|nom et prenom|etudiant(.e)?|nombre|nombre completo|'
-            'nombre y apellidos|apellidos y nombre|estudiante|alumno|navn|fullt navn|姓名|全名|学生|'
-            '学生姓名|名字|名称|學生',
+            'nombre y apellidos|apellidos y nombre|estudiante|alumno|navn|fullt navn|'
+            '姓名|全名|学生|学生姓名|名字|名称|學生',
     'last': 'last ?name|surname|family name|last|nachname|familienname|nom d(e famille|.usage)|'
             'apellidos?|etternavn|姓|姓氏',
     'first': 'first ?name|given name|first|vorname|prenom|prenoms|nombre de pila|fornavn|名',
