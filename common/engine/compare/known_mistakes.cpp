@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include "engine/compare/difference.hpp"
 #include "engine/draw/threads.hpp"
+#include "engine/files/load_image.hpp"
+#include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
 
 namespace texmap {
@@ -207,10 +210,30 @@ std::string name_mistake(const Image& drawn, const Image& right,
 }
 
 std::string short_words(const std::string& words) {
-  const std::size_t second = words.find("; or ");
-  if (second != std::string::npos)
-    return short_words(words.substr(0, second)) + " or " + short_words(words.substr(second + 5));
+  for (const std::string join : {" or ", " and "}) {
+    const std::size_t second = words.find(";" + join);
+    if (second == std::string::npos) continue;
+    return short_words(words.substr(0, second)) + join +
+           short_words(words.substr(second + 1 + join.size()));
+  }
   return words.substr(0, std::min(words.find(": "), words.find("; ")));
+}
+
+std::vector<WrongPicture> right_pictures(const std::filesystem::path& folder) {
+  std::vector<WrongPicture> right;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    const std::string name = name_of(entry.path().stem());
+    if (entry.path().extension() != ".png") continue;
+    try {
+      right.push_back(
+          {name, "a picture of chapter " + name.substr(0, 2), load_image(entry.path())});
+    } catch (const FileError&) {  // less is known
+    }
+  }
+  std::sort(right.begin(), right.end(),
+            [](const auto& a, const auto& b) { return a.name < b.name; });
+  return right;
 }
 
 }  // namespace texmap

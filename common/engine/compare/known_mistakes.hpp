@@ -37,8 +37,8 @@ inline constexpr double nearly_the_same = 0.004;
 [[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,
                                        std::span<const WrongPicture> wrong);
 
-/// What the words of a mistake begin with: of "mirrored: u runs the other way; or A: B" it is
-/// "mirrored or A".
+/// What the words of mistakes begin with: of "mirrored: u runs the other way; or A: B" it is
+/// "mirrored or A", of "C: D; and E: F" it is "C and E".
 [[nodiscard]] std::string short_words(const std::string& words);
 
 /// What mistakes in the camera and in the file make of a whole picture: mirrored, upside down,
@@ -51,25 +51,8 @@ inline constexpr double nearly_the_same = 0.004;
 /// @param map  in any layout in which u runs to the right; what "left" is, is said of the map
 [[nodiscard]] std::vector<WrongPicture> mistaken_maps(const Image& map);
 
-/// The pictures that the program draw_mistakes left in a folder: the lines of its mistakes.txt are
-/// `FILE, a tab, the words`. Errors: FileError.
-[[nodiscard]] std::vector<WrongPicture> load_wrong_pictures(const std::filesystem::path& folder);
-
-/// True if the program draw_mistakes drew into a folder, by a lesson that draws this right picture:
-/// a reader may have changed it. Errors: FileError.
-[[nodiscard]] bool has_drawn_mistakes(const std::filesystem::path& folder, const Image& right);
-
-/// What is known to go wrong with a chapter's picture: what draw_mistakes left in a folder, if it
-/// has drawn any there, and the mistakes of the whole picture. Errors: FileError.
-[[nodiscard]] std::vector<WrongPicture> known_mistakes(const std::filesystem::path& folder,
-                                                       const Image& right);
-
 /// The right pictures in a folder by their names, with words such as "a picture of chapter 02".
 /// What is no picture, or cannot be read, is left out.
 [[nodiscard]] std::vector<WrongPicture> right_pictures(const std::filesystem::path& folder);
-
-/// Writes the pictures and their mistakes.txt into a folder, which is made if it is not there.
-/// Errors: FileError.
-void save_wrong_pictures(std::span<const WrongPicture> wrong, const std::filesystem::path& folder);
 
 }  // namespace texmap

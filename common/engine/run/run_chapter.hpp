@@ -3,6 +3,7 @@
 #include <concepts>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -126,24 +127,30 @@ void draw_and_save(Lesson& lesson, Session& session) {
   }
 }
 
+/// A lesson with what its user chose, as its program has it after some words.
+template <class Lesson>
+struct Ready {
+  Lesson lesson;
+  CommandLine line;
+  Chosen chosen;
+
+  /// Reads the words; what is built comes next.
+  Ready(const std::string& chapter, const std::vector<std::string>& words)
+      : line(chapter, ""), chosen(chapter, offer_of(lesson, line), Lesson::about) {
+    if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
+  }
+};
+
 /// What draws a lesson's picture as its program does after these words.
 template <class Lesson>
 std::function<Image()> drawing_by(const std::string& chapter,
                                   const std::vector<std::string>& words) {
-  struct Drawing {
-    Lesson lesson;
-    CommandLine line;
-    Chosen chosen;
-    explicit Drawing(const std::string& name)
-        : line(name, ""), chosen(name, offer_of(lesson, line), Lesson::about) {}
-  };
-  const auto drawing = std::make_shared<Drawing>(chapter);
-  Chosen& chosen = drawing->chosen;
-  static_cast<void>(drawing->line.parse(words));
-  chosen.check();
-  if (draws_itself<Lesson>) chosen.default_size(800, 600);  // its scene, in place of its sheet
-  build(drawing->lesson, chosen);
-  return [drawing] { return Session(drawing->chosen).draw(drawing->lesson); };
+  const auto ready = std::make_shared<Ready<Lesson>>(chapter, words);
+  ready->chosen.check();
+  // Its scene, in place of its sheet.
+  if (draws_itself<Lesson>) ready->chosen.default_size(800, 600);
+  build(ready->lesson, ready->chosen);
+  return [ready] { return Session(ready->chosen).draw(ready->lesson); };
 }
 
 /// A lesson with all of its scene larger and moved, drawn in one number. The picture should not

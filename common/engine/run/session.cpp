@@ -91,6 +91,10 @@ void Session::save(const Image& image, std::string_view suffix) {
         "picture has no camera");
   }
   seen_by_camera_ = false;
+  if (taken != nullptr) {
+    *taken = image;
+    return;
+  }
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
   if (!settings.quiet && times_.judged > 0) {

@@ -50,6 +50,8 @@ class Session {
   void count_rays(double rays) { times_.rays += rays; }
   /// What to append to the progress line; called from any thread.
   std::function<std::string()> remark;
+  /// Where save() puts a picture; null: into its file.
+  Image* taken = nullptr;
 
  private:
   /// What happened since the last picture was saved; times in milliseconds.

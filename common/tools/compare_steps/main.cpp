@@ -20,7 +20,7 @@ struct Choices {
   std::string folder = "out/diff";
   std::string source = TEXMAP_CHAPTERS_DIR;
   std::string drawn = "out";
-  std::string undrawn;
+  std::string mistake;
   bool shared = false;
   bool quiet = false;
 };
@@ -136,34 +136,10 @@ DrawnStep picture_in(const std::string& typed) {
   return {typed, with_name("cannot load", path, decoded), {}, {}};
 }
 
-/// What is wrong with one of two pictures, in words; nothing unless the other is the golden picture
-/// of a chapter. If that chapter's mistakes were not drawn yet, `undrawn` is set to its name.
-std::string mistake_in(const Comparison& c, const Choices& choices, std::string& undrawn) {
-  const Image *right = &c.before.picture, *drawn = &c.after.picture;
-  const std::filesystem::path root = path_of(choices.source).parent_path();
-  for (const std::string& chapter : chapters_in(path_of(choices.source))) {
-    const std::filesystem::path golden = root / "tests" / "golden" / (chapter + ".png");
-    const Image picture = exists(golden) ? load_image(golden) : Image();
-    if (is_same_picture(picture, *drawn)) std::swap(right, drawn);
-    if (!is_same_picture(picture, *right)) continue;
-    const std::filesystem::path mistakes = root / "build/learn/mistakes" / chapter;
-    if (!has_drawn_mistakes(mistakes, *right)) undrawn = chapter;
-    const std::string words = name_mistake(*drawn, *right, known_mistakes(mistakes, *right));
-    const std::string which = drawn == &c.after.picture ? "The second: " : "The first: ";
-    return words.empty() ? "" : which + words;
-  }
-  return "";
-}
-
 /// Compares two picture files and writes the page; true if they are the same.
 bool compare_pictures(const std::string& from, const std::string& to, const Choices& choices) {
   Comparison result = steps::compare(picture_in(from), picture_in(to));
-  std::string undrawn;
-  result.mistake = mistake_in(result, choices, undrawn);
-  if (result.mistake.empty() && !undrawn.empty() && !choices.undrawn.empty()) {
-    write_text(path_of(choices.undrawn), undrawn);
-    return false;
-  }
+  result.mistake = choices.mistake;
   const Place place(name_of(path_of(from).filename()) + "-" + name_of(path_of(to).filename()),
                     choices);
   write_text(place.page(), steps::report_page(result, {}, {}, place.pictures));
@@ -272,9 +248,8 @@ int main(int argc, char** argv) {
             "write each page into its own folder MM-NN in this folder");
   line.text("--source", "FOLDER", choices.source, "the folder of the lessons' code");
   line.text("--drawn", "FOLDER", choices.drawn, "the folder of the chapters' own pictures");
-  line.text("--undrawn", "FILE", choices.undrawn,
-            "where a chapter's known mistakes are not drawn yet, write its name into this file, "
-            "and no page");
+  line.text("--mistake", "WORDS", choices.mistake,
+            "what is wrong with one of two pictures: ./course asks diagnose");
   line.flag("--shared", choices.shared,
             "pages show those pictures and write others next to themselves; without it a page is "
             "one file");

@@ -28,10 +28,11 @@ using namespace texmap;
 namespace fs = std::filesystem;
 
 struct Choices {
-  std::string file, undrawn;
+  std::string file, beside;
   std::string texture;  ///< in place of the chapter's; empty: its own
   std::string chapter;  ///< two digits, or empty: any
   std::string source = TEXMAP_CHAPTERS_DIR;
+  bool first = false;  ///< another program, with more chapters, can be asked
 
   [[nodiscard]] fs::path root() const { return fs::absolute(path_of(source)).parent_path(); }
 };
@@ -100,18 +101,12 @@ std::string page_of(const Choices& choices, const std::string& chapter) {
   return "";
 }
 
-std::string all_of(const std::vector<slips::Slip>& slips) {
-  std::string words;
-  for (const slips::Slip& slip : slips) words += (words.empty() ? "" : "; and ") + slip.words;
-  return words;
-}
-
 /// The words of a mistake, and where it is explained.
-std::string explained(const Choices& choices, const WrongPicture& right,
+std::string explained(const Choices& choices, const std::string& right,
                       const std::vector<slips::Slip>& slips, const std::string& evidence = "") {
-  std::string said = choices.file + ": wrong. Chapter " + right.name.substr(0, 2) + "'s picture, " +
-                     all_of(slips) + evidence + "\n";
-  std::string chapter = right.name.substr(0, 2);
+  std::string said = choices.file + ": wrong. Chapter " + right.substr(0, 2) + "'s picture, " +
+                     slips::all_of(slips) + evidence + "\n";
+  std::string chapter = right.substr(0, 2);
   for (const slips::Slip& slip : slips) {
     std::string found;
     for (const auto& row : cards) {
@@ -122,77 +117,49 @@ std::string explained(const Choices& choices, const WrongPicture& right,
     said += found;
   }
   const std::string page = page_of(choices, chapter);  // its chapter may not be in a students' copy
-  return said + (page.empty() ? page_of(choices, right.name.substr(0, 2)) : page);
-}
-
-/// True if the stage draws the chapter's right picture: a reader may have changed its lesson.
-bool draws(const slips::StageView& stage, const Image& right) {
-  std::size_t off = 0;
-  for (const slips::Seen& seen : stage.pixels) {
-    const Rgb8 is = {byte_of(seen.color.r), byte_of(seen.color.g), byte_of(seen.color.b)};
-    off += channel_difference(is, right.at(seen.column, seen.row)) > 1 ? 1U : 0U;
-  }
-  return off * 1000 <= stage.pixels.size();
+  return said + (page.empty() ? page_of(choices, right.substr(0, 2)) : page);
 }
 
 /// The stages of chapters that draw them, in the picture's size; with the reader's texture those
 /// that have one. A chapter's lesson may be the reader's own.
-std::vector<std::pair<const WrongPicture*, slips::StageView>> stages_of(
-    const Choices& choices, const Image& mine, const std::vector<WrongPicture>& candidates) {
-  std::vector<std::pair<const WrongPicture*, slips::StageView>> stages;
+std::vector<slips::StageView> stages_of(const Choices& choices, const Image& mine,
+                                        const std::vector<WrongPicture>& candidates) {
+  std::vector<slips::StageView> stages;
   for (const WrongPicture& one : candidates) {
-    for (const slips::OnStage& on_stage : slips::stages()) {
-      if (on_stage.name != one.name) continue;
-      slips::StageView stage = on_stage.view(on_stage.name, choices.texture);
-      if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height)
-        continue;
-      if (choices.texture.empty() ? draws(stage, one.picture) : stage.picture != nullptr)
-        stages.emplace_back(&one, std::move(stage));
+    for (const auto* known : {&slips::stages(), &slips::variants()}) {
+      for (const slips::OnStage& on_stage : *known) {
+        if (on_stage.name != one.name) continue;
+        slips::StageView stage = on_stage.view(on_stage.name, choices.texture);
+        if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height)
+          continue;
+        if (choices.texture.empty() ? slips::draws(stage, one.picture) : stage.picture != nullptr)
+          stages.push_back(std::move(stage));
+      }
     }
   }
   return stages;
 }
 
-/// The explanations by the fewest slips, of the chapters that draw the stage; else nothing.
+/// The explanations by the fewest slips; else nothing.
 /// A turned globe of chapter 03 may be chapter 05's: then the earlier is explained, both are said.
 std::string by_slips(const Choices& choices, const Image& mine,
-                     const std::vector<std::pair<const WrongPicture*, slips::StageView>>& stages) {
-  std::map<std::string, std::pair<const WrongPicture*, slips::Explanation>> whys;
-  std::size_t least = 99;
-  const auto explain_by = [&](std::size_t count, int most) {
-    for (std::size_t i = 0; i < std::min(count, stages.size()); ++i) {
-      // With more slips than another's, only an earlier chapter may be meant.
-      if (least < static_cast<std::size_t>(most) && stages[i].first->name >= whys.begin()->first)
-        continue;
-      const slips::Explanation why = explain(mine, stages[i].second, most);
-      if (why.slips.empty()) continue;
-      whys[stages[i].first->name] = {stages[i].first, why};
-      least = std::min(least, why.slips.size());
-    }
-  };
-  explain_by(stages.size(), 1);
-  explain_by(stages.size(), 2);
-  for (int more = 0; more < 2 && whys.empty(); ++more) {
-    for (const auto& [one, stage] : stages) {
-      const slips::Explanation why = slips::explain_by_view(mine, stage, more);
-      if (!why.slips.empty()) whys[one->name] = {one, why}, least = why.slips.size();
-    }
-  }
-  if (whys.empty()) explain_by(1, 3);  // three slips take longer: of the nearest alone
-  std::erase_if(whys, [&](const auto& row) { return row.second.second.slips.size() > least + 1; });
+                     const std::vector<slips::StageView>& stages) {
+  std::vector<const slips::StageView*> all;
+  for (const slips::StageView& stage : stages) all.push_back(&stage);
+  const auto whys = explain_by_any(mine, all);
   if (whys.empty()) return "";
-  const auto& [first, why] = whys.begin()->second;
+  const auto& [first, why] = whys.front();
   std::string evidence =
       text(" (this explains %.1f %% of what is wrong)",
            100.0 * static_cast<double>(why.explained) / static_cast<double>(why.different));
   for (const std::string& other : why.instead) evidence += "\n  or          " + other;
-  for (const auto& [name, row] : whys) {
-    if (row.first != first && row.second.slips.size() <= why.slips.size()) {
-      evidence += "\n  or          chapter " + name.substr(0, 2) + "'s picture, " +
-                  all_of(row.second.slips);
+  for (const auto& [stage, other] : whys) {
+    if (stage != first && other.slips.size() <= why.slips.size()) {
+      evidence += "\n  or          chapter " + stage->chapter.substr(0, 2) + "'s picture, " +
+                  slips::all_of(other.slips);
     }
   }
-  return explained(choices, *first, why.slips, evidence) +
+  return explained(choices, first->chapter, why.slips, evidence) +
          (whys.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
 }
 
@@ -322,21 +289,15 @@ std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
   return fitting;
 }
 
-/// Asks for what the known mistakes of a chapter draw, by its name; true if it asked.
-bool asked_for(const Choices& choices, const WrongPicture& one) {
-  const fs::path drawn = choices.root() / "build/learn/mistakes" / one.name;
-  if (choices.undrawn.empty() || one.name >= "13" || has_drawn_mistakes(drawn, one.picture))
-    return false;
-  write_text_atomically(path_of(choices.undrawn), one.name);
-  return true;
+/// True if only a program with more chapters can tell what is wrong with a picture of this one.
+bool is_for_another(const Choices& choices, const WrongPicture& one) {
+  const auto knows = [&](const auto& all) {
+    return std::ranges::any_of(all, [&](const auto& known) { return known.name == one.name; });
+  };
+  return choices.first && one.name < "13" && !knows(slips::stages()) && !knows(slips::variants());
 }
 
-std::string known_words(const Choices& choices, const Image& mine, const WrongPicture& one) {
-  const fs::path drawn = choices.root() / "build/learn/mistakes" / one.name;
-  return name_mistake(mine, one.picture, known_mistakes(drawn, one.picture));
-}
-
-/// What is wrong with a picture that no chapter draws; empty if that is to be drawn first.
+/// What is wrong with a picture that no chapter draws; empty if another program is to be asked.
 std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPicture> candidates) {
   // A picture that is right but for a few pixels is that chapter's, and no other's.
   const auto few = mine.pixels.size() / 1000;
@@ -348,26 +309,32 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
       return stray_pixels(mine, one.picture).count > least;
     });
   }
-  const auto stages = stages_of(choices, mine, candidates);
+  const std::vector<slips::StageView> stages = stages_of(choices, mine, candidates);
   std::string found = by_slips(choices, mine, stages);
   if (!found.empty()) return found;
-  for (const auto& [one, stage] : stages) {
+  for (const slips::StageView& stage : stages) {
     const slips::Slip slip = slips::wrong_shadows(mine, stage);
-    if (!slip.words.empty()) return explained(choices, *one, {slip});
+    if (!slip.words.empty()) return explained(choices, stage.chapter, {slip});
   }
   bool is_sure = false;
   for (const WrongPicture& one : candidates) {
-    if (asked_for(choices, one)) return "";
-    const std::string words = known_words(choices, mine, one);
+    const std::string words = name_mistake(mine, one.picture, mistakes_of_the_whole(one.picture));
     const bool is_vague = words.starts_with("softer") || words.starts_with("rougher");
     if (!words.empty() && (found.empty() || !is_vague))
-      found = explained(choices, one, {{words, ""}});
+      found = explained(choices, one.name, {{words, ""}});
     is_sure = !words.empty() && !is_vague;
     if (is_sure) break;
+    if (is_for_another(choices, one)) return "";
   }
-  for (const auto& [one, stage] : stages) {
-    if (is_sure || !has_other_colors(mine, stage)) continue;
-    return choices.file + ": chapter " + one->name.substr(0, 2) +
+  for (const slips::StageView& stage : stages) {
+    if (is_sure) break;
+    if (stage.tolerance > slips::of_rounding &&
+        explain(mine, stage, 0).different * 200 < static_cast<long>(stage.pixels.size())) {
+      return choices.file + ": chapter " + stage.chapter.substr(0, 2) +
+             "'s picture, right but for its noise: other random numbers than the course's\n";
+    }
+    if (!has_other_colors(mine, stage)) continue;
+    return choices.file + ": chapter " + stage.chapter.substr(0, 2) +
            "'s picture, right but for its texture: the file has few of these colors\n"
            "  judge it    if you took another texture: --texture FILE\n";
   }
@@ -389,14 +356,14 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
 bool is_right_with_texture(const Choices& choices, const Image& mine,
                            const std::vector<WrongPicture>& right) {
   const std::vector<WrongPicture> candidates = meant(choices, mine, right);
-  const auto stages = stages_of(choices, mine, candidates);
+  const std::vector<slips::StageView> stages = stages_of(choices, mine, candidates);
   if (stages.empty()) throw UsageError("none of these chapters has a texture: leave it out");
-  for (const auto& [one, stage] : stages) {
+  for (const slips::StageView& stage : stages) {
     if (explain(mine, stage, 0).different > 0) continue;
     print(
         text("%s: right, chapter %s's picture with that texture, at each of the %zu pixels that "
              "were compared\n",
-             choices.file.c_str(), one->name.substr(0, 2).c_str(), stage.pixels.size()));
+             choices.file.c_str(), stage.chapter.substr(0, 2).c_str(), stage.pixels.size()));
     return true;
   }
   const std::string found = by_slips(choices, mine, stages);
@@ -405,13 +372,17 @@ bool is_right_with_texture(const Choices& choices, const Image& mine,
   return false;
 }
 
-/// Says what a picture is; true if it is right.
-bool diagnose(const Choices& choices) {
+/// What to do next.
+enum Status { is_right = 0, is_wrong = 1, no_diagnosis = 2, ask_another = 3 };
+
+/// Says what a picture is.
+Status diagnose(const Choices& choices) {
   const Image mine = picture_in(choices.file);
   const std::vector<WrongPicture> right = right_pictures(choices.root() / "tests/golden");
   std::string found;
   bool is_it = false;
-  if (!choices.texture.empty()) return is_right_with_texture(choices, mine, right);
+  if (!choices.texture.empty())
+    return is_right_with_texture(choices, mine, right) ? is_right : is_wrong;
   for (const WrongPicture& one : right) {
     if (!is_same_picture(mine, one.picture) || stray_pixels(mine, one.picture).count > 0) continue;
     is_it = one.name.starts_with(choices.chapter);
@@ -419,12 +390,23 @@ bool diagnose(const Choices& choices) {
             one.words + (one.name.starts_with("02") ? ", which 00 draws, too\n" : "\n");
     if (is_it) break;
   }
-  if (!found.empty()) {
-    print(found);
-    return is_it;
+  if (found.empty()) found = wrong(choices, mine, meant(choices, mine, right));
+  print(found);
+  return found.empty() ? ask_another : is_it ? is_right : is_wrong;
+}
+
+/// Says in a line what is wrong with one of two pictures, if the other is a chapter's.
+Status name_difference(const Choices& choices) {
+  const Image first = picture_in(choices.file), second = picture_in(choices.beside);
+  for (const WrongPicture& one : right_pictures(choices.root() / "tests/golden")) {
+    const bool is_second = is_same_picture(second, one.picture);
+    if (!is_second && !is_same_picture(first, one.picture)) continue;
+    if (is_for_another(choices, one)) return ask_another;
+    const std::string words = slips::Words().of(is_second ? first : second, one);
+    if (!words.empty()) print((is_second ? "The first: " : "The second: ") + words + "\n");
+    break;
   }
-  print(wrong(choices, mine, meant(choices, mine, right)));
-  return false;
+  return is_right;
 }
 
 }  // namespace
@@ -437,15 +419,18 @@ int main(int argc, char** argv) {
             "the chapter that should have drawn it; the default is the nearest");
   line.text("--texture", "FILE", choices.texture, "the texture that you drew it with");
   line.text("--source", "FOLDER", choices.source, "the folder of the chapters");
-  line.text("--undrawn", "FILE", choices.undrawn,
-            "where a chapter's known mistakes are not drawn yet, write its name into this file");
+  line.text("--beside", "FILE", choices.beside,
+            "another picture: print only what is wrong with one of both, if the other is a "
+            "chapter's; the status is 0 if no error comes up");
+  line.flag("--first", choices.first,
+            "where only ./course's other program may know more, say nothing: the status is 3");
   line.statuses("0 the picture is right; 1 it is wrong; 2 an error, no diagnosis");
-  bool is_right = true;
+  Status found = is_right;
   const int status = run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
     if (choices.chapter.size() == 1) choices.chapter.insert(0, "0");
     if (choices.chapter == "00") choices.chapter = "02";  // whose picture 00 draws
-    is_right = diagnose(choices);
+    found = choices.beside.empty() ? diagnose(choices) : name_difference(choices);
   });
-  return status != 0 ? 2 : is_right ? 0 : 1;
+  return status != 0 ? no_diagnosis : found;
 }

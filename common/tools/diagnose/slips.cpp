@@ -64,12 +64,33 @@ constexpr int places = flip + 1;
 
 // Row 0 of each table is right.
 
-enum Turned { not_turned = 1, other_way, twice, from_origin, from_point, inward, undivided };
+enum Turned {
+  not_turned = 1,
+  other_way,
+  twice,
+  about_x,
+  about_x_back,
+  about_z,
+  about_z_back,
+  with_light,
+  from_origin,
+  from_point,
+  inward,
+  undivided
+};
+constexpr const char* about_y = "turned about a horizontal axis: y must stay as it is";
+constexpr const char* keep_y = "`{x * cos + z * sin, y, z * cos - x * sin}`";
 constexpr Named of_turned[] = {
     {},
     {"not turned at all", "rotate the normal before the mapping"},
     {"turned the other way: the sign of the sine", "the other sign of the sine, or of the angle"},
     {"turned by twice the angle", "rotate once"},
+    {about_y, keep_y},
+    {about_y, keep_y},
+    {about_y, keep_y},
+    {about_y, keep_y},
+    {"light and shade turned with the globe: the normal was rotated for the light, too",
+     "the light takes the normal as it is"},
     {"the center was not subtracted: (u, v) were taken from the point in the world",
      "`(point - center) / radius` for the mapping"},
     {"(u, v) were taken from the point itself: it has no center and no radius",
@@ -359,36 +380,10 @@ constexpr Named of_flip[] = {
      "from the top left"},
 };
 
-/// Light slips beyond those that are drawn.
-constexpr mistakes::LightMistake of_more_light[] = {
-    {"no_limit_no_shadows",
-     "too dark on the far side, and without shadows: cosines below 0 were not limited to 0",
-     [](mistakes::Lit lit) { return lit.with_cosine(lit.cosine()); }},
-    {"light_twice", "the light was multiplied twice",
-     [](mistakes::Lit lit) {
-       return lit.color * (lit.diffuse() * lit.diffuse()) + gray(lit.specular());
-     }},
-    {"both_sides", "lit on both sides: the cosine lost its sign, and no ray goes to the lamp",
-     [](mistakes::Lit lit) { return lit.with_cosine(std::abs(lit.cosine())); }},
-    {"inward", "dark where the lamp shines: the normal points inward for the light",
-     [](mistakes::Lit lit) { return lit.with_cosine(std::max(-lit.cosine(), 0.0)); }},
-    {"black_shadow", "black in the shadow alone: a point in the shadow lost its ambient light",
-     [](mistakes::Lit lit) {
-       return lit.light.cosine == 0 && lit.cosine() > 0 ? Rgb{} : lit.right();
-     }},
-    {"squared", "the light falls off too fast: the cosine was squared",
-     [](mistakes::Lit lit) { return lit.with_cosine(lit.light.cosine * lit.light.cosine); }},
-    {"distance_squared", "dark: the light was divided by the square of the lamp's distance",
-     [](mistakes::Lit lit) {
-       return lit.with_cosine(lit.light.cosine / dot(lit.to_lamp, lit.to_lamp));
-     }},
-};
-
 /// All light slips of a stage; the first stands for none.
 std::vector<const mistakes::LightMistake*> light_slips(const StageView& stage) {
   std::vector<const mistakes::LightMistake*> all{nullptr};
   for (const auto& one : mistakes::of_light) all.push_back(&one);
-  for (const auto& one : of_more_light) all.push_back(&one);
   const bool shines = std::ranges::any_of(
       stage.pixels, [](const Seen& seen) { return seen.lit && seen.lit->material.specular > 0; });
   if (shines) {
@@ -422,8 +417,34 @@ std::vector<Named> names_of(const Table& table) {
   return {std::begin(table), std::end(table)};
 }
 
-bool alike(const Rgb8& a, const Rgb8& b) {
-  return std::abs(a.r - b.r) <= 2 && std::abs(a.g - b.g) <= 2 && std::abs(a.b - b.b) <= 2;
+bool alike(const Rgb8& a, const Rgb8& b, int tolerance = of_rounding) {
+  return channel_difference(a, b) <= tolerance;
+}
+
+/// A direction with its coordinates exchanged in a ring: y is then another axis.
+constexpr Vec3d next_axes(const Vec3d& d) { return {d.y, d.z, d.x}; }
+/// The direction on the globe, turned as a wrong program does.
+///
+/// @param turned  as it should be
+Vec3d turned_by(int way, const RotationY& turn, const Vec3d& turned) {
+  const RotationY back{turn.cosine, -turn.sine};
+  const Vec3d own = back(turned);
+  switch (way) {
+    case not_turned:
+      return own;
+    case other_way:
+      return back(own);
+    case twice:
+      return turn(turned);
+    case about_x:
+    case about_x_back:
+      return next_axes((way == about_x ? turn : back)(next_axes(next_axes(own))));
+    case about_z:
+    case about_z_back:
+      return next_axes(next_axes((way == about_z ? turn : back)(next_axes(own))));
+    default:
+      return turned;
+  }
 }
 
 /// The search for a picture's slips.
@@ -434,10 +455,13 @@ class Search {
       : drawn_(drawn), stage_(stage), lights_(light_slips(stage)) {
     names_[degrees].resize(4);
     for (const auto* one : lights_) names_[light].push_back({one == nullptr ? "" : one->words, ""});
-    if (stage.picture == nullptr) {
-      names_[texel].resize(1);
-      names_[reading].resize(1);
-    }
+    const auto leave_out = [&](int first, int end) {
+      for (int place = first; place < end; ++place)
+        names_[static_cast<std::size_t>(place)].resize(1);
+    };
+    if (stage.picture == nullptr) leave_out(texel, squares);
+    if (std::ranges::none_of(stage.pixels, [](const Seen& seen) { return seen.lit.has_value(); }))
+      leave_out(0, bytes);
     for (const Seen& seen : right.pixels) {
       right_.push_back(bytes_of_color(seen.color));
       if (seen.lit && shining_.specular == 0) shining_ = seen.lit->material;
@@ -447,7 +471,7 @@ class Search {
     for (std::size_t i = 0; i < stage.pixels.size(); ++i) {
       all.push_back(i);
       ++seen_of_[number_of_object(stage.pixels[i])];
-      if (!alike(right_[i], at(Way{}, stage.pixels[i]))) wrong.push_back(i);
+      if (!fits(right_[i], at(Way{}, stage.pixels[i]))) wrong.push_back(i);
     }
     different_ = static_cast<long>(wrong.size());
     for (const std::vector<std::size_t>* from : {&wrong, &all}) {
@@ -470,6 +494,8 @@ class Search {
         return;
       }
       for (int row = 0; row < rows(place); ++row) {
+        const bool is_turn = place == turned && row >= not_turned && row < from_origin;
+        if (is_turn && stage_.turn.sine == 0) continue;  // nothing is turned
         way.row[static_cast<std::size_t>(place)] = place == degrees ? 90 * row : row;
         choose(way, place + 1, left - (row == 0 ? 0 : 1));
       }
@@ -555,6 +581,11 @@ class Search {
       return {"no light of the lamp arrives: its factor is 0, or the lamp lies below the ground",
               "`lamp = (5, 5, 5)`, with y upward"};
     }
+    if (shining_.specular > 0 && is.specular < 0.005) {
+      return {
+          "without a highlight: its factor is 0, or the direction to the eye has the wrong sign",
+          "from the point to the eye"};
+    }
     std::string words;
     const auto say = [&](const char* what, double now, double should) {
       if (std::abs(now - should) < 0.005) return;
@@ -588,9 +619,9 @@ class Search {
     for (std::size_t k = 0; k < right_.size(); ++k) {
       const std::size_t i = k * 7919 % right_.size();  // all, the objects mixed
       const Seen& seen = stage_.pixels[i];
-      const bool fits = alike(color(way, seen), at(way, seen));
-      if (!fits && (left[number_of_object(seen)] -= 50) < 0) return -1;
-      sum += fits && !alike(right_[i], at({}, seen)) ? 1 : 0;
+      const bool explained = fits(color(way, seen), at(way, seen));
+      if (!explained && (left[number_of_object(seen)] -= 50) < 0) return -1;
+      sum += explained && !fits(right_[i], at({}, seen)) ? 1 : 0;
     }
     return sum;
   }
@@ -614,19 +645,19 @@ class Search {
       lit.normal = -lit.normal;
       lit.light.cosine = 0;
     }
+    if (row[turned] == with_light && seen.mapped && !seen.on_checkers) {
+      const bool is_hidden = lit.light.cosine == 0 && lit.cosine() > 0;
+      lit.normal = stage_.turn(lit.normal);
+      lit.light.cosine = is_hidden ? 0 : std::max(lit.cosine(), 0.0);
+    }
     if (row[turned] == undivided) {
       lit.normal = lit.normal * seen.radius;
       lit.light.cosine *= seen.radius;
     }
     if (seen.mapped) {
       Vec3d d = seen.direction;
-      const RotationY back{stage_.turn.cosine, -stage_.turn.sine};
       const bool reached = !seen.on_checkers || way.on_squares;
-      if (reached && row[turned] != 0 && !seen.on_checkers) {
-        if (row[turned] == not_turned) d = back(d);
-        if (row[turned] == other_way) d = back(back(d));
-        if (row[turned] == twice) d = stage_.turn(d);
-      }
+      if (!seen.on_checkers) d = turned_by(row[turned], stage_.turn, d);
       if (reached && row[turned] == from_origin) d = normalize(lit.lamp - lit.to_lamp);
       if (reached && row[turned] == from_point) d = lit.lamp - lit.to_lamp;
       if (reached && row[turned] == inward) d = -d;
@@ -662,6 +693,9 @@ class Search {
  private:
   [[nodiscard]] int rows(int place) const {
     return static_cast<int>(names_[static_cast<std::size_t>(place)].size());
+  }
+  [[nodiscard]] bool fits(const Rgb8& a, const Rgb8& b) const {
+    return alike(a, b, stage_.tolerance);
   }
   [[nodiscard]] Rgb square(int row, const Uv<double>& uv) const {
     const Checkerboard& board = stage_.checkers;
@@ -700,7 +734,7 @@ class Search {
   [[nodiscard]] bool explains(const Way& way) const {
     double missed = 0, limit = 4;
     for (const std::size_t i : probes_) {
-      missed += alike(color(way, stage_.pixels[i]), at(way, stage_.pixels[i])) ? 0 : 1;
+      missed += fits(color(way, stage_.pixels[i]), at(way, stage_.pixels[i])) ? 0 : 1;
       limit += 0.12;
       if (missed > limit) return false;
     }
@@ -750,18 +784,28 @@ Explanation explain_changed(const Image& drawn, const StageView& right, const St
   if (ways.empty() && least == 1 && most == 2) ways = search.turned_ways();
   if (ways.empty()) return result;
   const auto explained = [&](const Way& way) { return search.explained(way); };
-  std::ranges::stable_sort(ways, std::greater<>(), explained);
+  // Of ways that explain as much, first those by the turn that the chapter adds.
+  std::ranges::stable_sort(ways, std::greater<>(), [&](const Way& way) {
+    return std::pair(explained(way), way.row[turned] != 0);
+  });
   result.explained = explained(ways.front());
   const auto slips_of = [&](const Way& way) {
     std::vector<Slip> slips;
     for (int place = 0; place < places; ++place) {
       const int row = way.row[static_cast<std::size_t>(place)];
-      if (row != 0) slips.push_back(search.slip(place, row));
+      if (place == upside && row != 0 && way.row[mirrored] != 0 && way.row[degrees] == 0) {
+        slips.back() = {"turned by half: u and v run the other way", ""};
+      } else if (row != 0) {
+        slips.push_back(search.slip(place, row));
+      }
       if (place == light && way.material) slips.push_back(search.slip(*way.material));
       if (place == light && way.blend) {
-        slips.push_back({text("the globe's texture is blended with its light, %g parts of texture, "
-                              "though nobody asked for a blend",
-                              *way.blend),
+        slips.push_back({*way.blend == 0 ? "the globe's texture is missing: its light alone"
+                         : *way.blend == 1
+                             ? "the globe's light is missing: its texture alone"
+                             : text("the globe's texture is blended with its light, %g parts of "
+                                    "texture, though nobody asked for a blend",
+                                    *way.blend),
                          ""});
       }
     }
@@ -791,6 +835,9 @@ Explanation explain_by_view(const Image& drawn, const StageView& right, int more
     return (seen.column - 1) % (10 * lattice) != 0 || (seen.row - 1) % (10 * lattice) != 0;
   });
   const auto try_one = [&](const Slip& slip, const auto& view) {
+    // Where each is drawn anew, one that explains all is enough.
+    if (right.drawn_before && best.explained > 0 && best.explained * 1000 >= best.different * 999)
+      return;
     if (explain_changed(drawn, few, view(10 * lattice), more, more).explained == 0) return;
     Explanation why = explain_changed(drawn, right, view(lattice), more, more);
     if (why.explained == 0) return;
@@ -800,6 +847,47 @@ Explanation explain_by_view(const Image& drawn, const StageView& right, int more
   };
   right.visit_changed(right, try_one);
   return best;
+}
+
+std::vector<std::pair<const StageView*, Explanation>> explain_by_any(
+    const Image& drawn, std::span<const StageView* const> stages) {
+  std::vector<std::pair<const StageView*, Explanation>> found;
+  std::size_t least = 99;
+  const auto keep = [&](const StageView* stage, Explanation why) {
+    if (why.slips.empty()) return;
+    least = std::min(least, why.slips.size());
+    found.emplace_back(stage, std::move(why));
+  };
+  const auto by_slips = [&](std::span<const StageView* const> some, int most) {
+    for (const StageView* stage : some) {
+      // With more slips than another's, only an earlier chapter may be meant.
+      const auto before = [&](const auto& row) { return row.first->chapter <= stage->chapter; };
+      if (least >= static_cast<std::size_t>(most) || std::ranges::none_of(found, before))
+        keep(stage, explain(drawn, *stage, most));
+    }
+  };
+  const auto by_views = [&](int more) {
+    if (!found.empty()) return;
+    for (const StageView* stage : stages) keep(stage, explain_by_view(drawn, *stage, more));
+  };
+  // Where light is gathered, the same random numbers are tried first.
+  for (const StageView* stage : stages) {
+    if (stage->tolerance == of_rounding) continue;
+    StageView exact = *stage;
+    exact.tolerance = of_rounding;
+    keep(stage, explain(drawn, exact, 1));
+    if (found.empty()) keep(stage, explain_by_view(drawn, exact, 0));
+    if (!found.empty()) return found;
+  }
+  by_slips(stages, 1);
+  by_views(0);
+  by_slips(stages, 2);
+  by_views(1);
+  // Three slips take longer: of the nearest alone.
+  if (found.empty()) by_slips(stages.first(std::min<std::size_t>(stages.size(), 1)), 3);
+  std::erase_if(found, [&](const auto& row) { return row.second.slips.size() > least + 1; });
+  std::ranges::stable_sort(found, {}, [](const auto& row) { return row.first->chapter; });
+  return found;
 }
 
 bool has_other_colors(const Image& drawn, const StageView& stage) {
@@ -866,6 +954,49 @@ Slip wrong_shadows(const Image& drawn, const StageView& stage) {
             "ask all objects, or all but the own"};
   }
   return {};
+}
+
+std::string all_of(const std::vector<Slip>& slips) {
+  std::string words;
+  for (const Slip& slip : slips) words += (words.empty() ? "" : "; and ") + slip.words;
+  return words;
+}
+
+bool draws(const StageView& stage, const Image& right) {
+  std::size_t off = 0;
+  for (const Seen& seen : stage.pixels) {
+    const Rgb8 is = {byte_of(seen.color.r), byte_of(seen.color.g), byte_of(seen.color.b)};
+    off += channel_difference(is, right.at(seen.column, seen.row)) > 1 ? 1U : 0U;
+  }
+  return off * 1000 <= stage.pixels.size();
+}
+
+std::string Words::of(const Image& drawn, const WrongPicture& right) {
+  for (const auto* known : {&stages(), &variants()}) {
+    for (const OnStage& on_stage : *known) {
+      if (on_stage.name != right.name) continue;
+      const auto [place, is_new] = stages_.try_emplace(right.name);
+      if (is_new) place->second = on_stage.view(on_stage.name, "");
+    }
+  }
+  const auto known = stages_.find(right.name);
+  if (known != stages_.end()) {
+    const StageView& stage = known->second;
+    const bool is_as_large = stage.width == drawn.width && stage.height == drawn.height;
+    if (is_as_large && draws(stage, right.picture)) {
+      const std::array<const StageView*, 1> alone{&stage};
+      const auto whys = explain_by_any(drawn, alone);
+      if (whys.empty()) {
+        const std::string shadows = wrong_shadows(drawn, stage).words;
+        if (!shadows.empty()) return shadows;
+      } else {
+        std::string words = all_of(whys.front().second.slips);
+        for (const std::string& other : whys.front().second.instead) words += "; or " + other;
+        return words;
+      }
+    }
+  }
+  return name_mistake(drawn, right.picture, mistakes_of_the_whole(right.picture));
 }
 
 }  // namespace texmap::slips

@@ -1,9 +1,13 @@
 // Which slips drew a picture: small mistakes at known places of the path from a ray to a byte, one
 // or a few of them at once, found by computing what each would draw.
 #pragma once
+#include <map>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "engine/compare/known_mistakes.hpp"
 #include "stage.hpp"
 #include "texture/image.hpp"
 
@@ -16,6 +20,19 @@ struct Explanation {
   long different = 0;                ///< pixels of the lattice that are not the right picture's
   long explained = 0;                ///< of these
 };
+
+/// The words of slips, joined.
+[[nodiscard]] std::string all_of(const std::vector<Slip>& slips);
+
+/// True if the stage draws the chapter's right picture: a reader may have changed its lesson.
+[[nodiscard]] bool draws(const StageView& stage, const Image& right);
+
+/// What explains a picture as one of some stages, at most one explanation a stage, in the order of
+/// chapters: those by the fewest slips, or by one more.
+///
+/// @param stages  the most probable first
+[[nodiscard]] std::vector<std::pair<const StageView*, Explanation>> explain_by_any(
+    const Image& drawn, std::span<const StageView* const> stages);
 
 /// The fewest slips, at most `most`, that explain a picture: of each object's pixels all but 2 % to
 /// two levels, and nine in ten of those that are not the right picture's. Else no slips.
@@ -30,5 +47,18 @@ struct Explanation {
 
 /// The mistake of a picture in which only shadows are wrong; without words if it is another one.
 [[nodiscard]] Slip wrong_shadows(const Image& drawn, const StageView& stage);
+
+/// Names what is wrong with pictures of chapters; keeps what was computed for them.
+class Words {
+ public:
+  /// The words of the slips that explain a picture, or of a mistake in the whole picture; "A; or B"
+  /// where both draw the same. Empty if nothing is sure.
+  ///
+  /// @param right  the chapter's picture with its folder's name
+  [[nodiscard]] std::string of(const Image& drawn, const WrongPicture& right);
+
+ private:
+  std::map<std::string, StageView> stages_;
+};
 
 }  // namespace texmap::slips

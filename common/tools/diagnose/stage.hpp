@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "engine/draw/render.hpp"
 #include "engine/files/text.hpp"
 #include "engine/run/prepared.hpp"
+#include "option_slips.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/image.hpp"
 #include "texture/uv.hpp"
@@ -55,6 +58,10 @@ struct StageView;
 using Visit =
     std::function<void(const Slip& slip, const std::function<StageView(int every)>& view)>;
 
+/// How far a channel may be off where the same was computed, and where light was gathered by other
+/// random numbers.
+inline constexpr int of_rounding = 2, of_noise = 24;
+
 /// A chapter's stage at every third pixel of every third row, or at fewer.
 struct StageView {
   std::string chapter;  ///< its folder
@@ -65,6 +72,9 @@ struct StageView {
   RotationY turn{};  ///< of the directions that the mapping is given
   GradientSky sky{};
   std::vector<std::string> options{};  ///< that its lesson has
+  int tolerance = of_rounding;         ///< levels
+  /// What its mistakes draw, by their number and by the distance of its pixels.
+  std::shared_ptr<std::map<std::pair<int, int>, Image>> drawn_before{};
   void (*visit_changed)(const StageView& stage, const Visit& visit) = nullptr;
 };
 
@@ -195,21 +205,28 @@ void visit_changed(const StageView& stage, const Visit& visit) {
       return view_stage(chapter, right, view, every, slip.tracing, stage.picture);
     });
   }
-  const auto visit_lesson = [&](const char*, const std::string& words, const Lesson& lesson) {
+  const auto visit_lesson = [&](const Slip& slip, const Lesson& lesson) {
     const View<> view = view_of(lesson.stage.camera, 800, 600);
-    visit({words, ""},
+    visit(slip,
           [&](int every) { return view_stage(chapter, lesson, view, every, {}, stage.picture); });
   };
-  mistakes::of_the_scene(right, visit_lesson);
+  for (const OptionSlip* slip : option_slips_of(chapter)) {
+    std::vector<std::string> options = stage.options;
+    for (const std::string& word : slip->typed()) options.push_back(word);
+    visit_lesson({slip->words, slip->change}, prepared<Lesson>(options));
+  }
+  mistakes::of_the_scene(right, [&](const std::string& words, const Lesson& lesson) {
+    visit_lesson({words, ""}, lesson);
+  });
   Lesson lesson = right;  // changed in place: a copy has a texture
   const Point lamp = right.stage.light.position;
   for (const double x : {-10, -5, -2, 0, 2, 5, 10}) {
     for (const double y : {-10, -5, -2, 0, 2, 5, 10}) {
       for (const double z : {-10, -5, -2, 0, 2, 5, 10}) {
         lesson.stage.light.position = {x, y, z};
-        visit_lesson("",
-                     text("the lamp is at (%g, %g, %g) and not at (%g, %g, %g)", x, y, z, lamp.x,
-                          lamp.y, lamp.z),
+        visit_lesson({text("the lamp is at (%g, %g, %g) and not at (%g, %g, %g)", x, y, z, lamp.x,
+                           lamp.y, lamp.z),
+                      ""},
                      lesson);
       }
     }
@@ -218,7 +235,7 @@ void visit_changed(const StageView& stage, const Visit& visit) {
   for (int degrees = 20; degrees <= 110; ++degrees) {
     if (degrees == 60 || degrees == 90) continue;  // right; of_the_scene has it
     lesson.stage.camera.fov_y_degrees = degrees;
-    visit_lesson("", text("the angle of view is %d degrees and not 60", degrees), lesson);
+    visit_lesson({text("the angle of view is %d degrees and not 60", degrees), ""}, lesson);
   }
 }
 
@@ -251,5 +268,8 @@ constexpr OnStage on_stage(std::string_view name) {
           }};
 }
 [[nodiscard]] const std::vector<OnStage>& stages();
+/// Those of chapters 04 and 07 to 12, which draw something else; ./course diagnose first tries
+/// without them.
+[[nodiscard]] const std::vector<OnStage>& variants();
 
 }  // namespace texmap::slips

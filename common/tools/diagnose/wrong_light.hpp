@@ -62,63 +62,73 @@ struct Lit {
 
 /// What students do wrong. To add one, add a row.
 struct LightMistake {
-  const char *name, *words;
+  const char* words;
   Rgb (*shade)(Lit lit);
 };
 
-constexpr LightMistake of_light[] = {
-    {"light_not_normalized", "too bright: the vector to the lamp was not divided by its length",
+inline constexpr LightMistake of_light[] = {
+    {"too bright: the vector to the lamp was not divided by its length",
      [](Lit lit) { return lit.with_cosine(lit.light.cosine * length(lit.to_lamp)); }},
-    {"no_shadows", "without shadows: no ray goes to the lamp",
+    {"without shadows: no ray goes to the lamp",
      [](Lit lit) { return lit.with_cosine(max(lit.cosine(), 0.0)); }},
-    {"no_limit", "too dark on the far side: cosines below 0 were not limited to 0",
+    {"too dark on the far side: cosines below 0 were not limited to 0",
      [](Lit lit) { return lit.with_cosine(lit.cosine() < 0 ? lit.cosine() : lit.light.cosine); }},
-    {"no_ambient", "black in the shadow: the ambient light is missing",
+    {"black in the shadow: the ambient light is missing",
      [](Lit lit) {
        lit.material.lambertian.ambient = 0;
        return lit.right();
      }},
-    {"ambient_added", "too bright: ambient light was added to the whole of the diffuse light",
+    {"too bright: ambient light was added to the whole of the diffuse light",
      [](Lit lit) {
        lit.material.lambertian.diffuse = 1;
        return lit.right();
      }},
-    {"root", "too pale: the curve of image files was applied once too often",
+    {"too pale: the curve of image files was applied once too often",
      [](Lit lit) {
        const Rgb color = lit.right();
        return Rgb{std::sqrt(color.r), std::sqrt(color.g), std::sqrt(color.b)};
      }},
-    {"normals", "the normals as colors: the picture of an earlier step",
+    {"the normals as colors: the picture of an earlier step",
      [](Lit lit) {
        const Vec3d half = (lit.normal + Vec3d{1, 1, 1}) * 0.5;
        return Rgb{half.x, half.y, half.z};
      }},
-    {"no_light", "without light: the color alone", [](Lit lit) { return lit.color; }},
-    {"dark_rim", "dark at the outline: the cosine was taken with the ray and not with the lamp",
+    {"without light: the color alone", [](Lit lit) { return lit.color; }},
+    {"dark at the outline: the cosine was taken with the ray and not with the lamp",
      [](Lit lit) { return lit.with_cosine(abs(dot(lit.normal, lit.to_eye))); }},
-    {"lamp_far_away",
-     "the light comes from one direction everywhere: the lamp's position minus the point is "
+    {"the light comes from one direction everywhere: the lamp's position minus the point is "
      "missing",
      [](Lit lit) {
        if (lit.light.cosine > 0) lit.light.cosine = max(dot(lit.normal, normalize(lit.lamp)), 0.0);
        return lit.right();
      }},
+    {"too dark on the far side, and without shadows: cosines below 0 were not limited to 0",
+     [](Lit lit) { return lit.with_cosine(lit.cosine()); }},
+    {"the light was multiplied twice",
+     [](Lit lit) { return lit.color * (lit.diffuse() * lit.diffuse()) + gray(lit.specular()); }},
+    {"lit on both sides: the cosine lost its sign, and no ray goes to the lamp",
+     [](Lit lit) { return lit.with_cosine(abs(lit.cosine())); }},
+    {"dark where the lamp shines: the normal points inward for the light",
+     [](Lit lit) { return lit.with_cosine(max(-lit.cosine(), 0.0)); }},
+    {"black in the shadow alone: a point in the shadow lost its ambient light",
+     [](Lit lit) { return lit.light.cosine == 0 && lit.cosine() > 0 ? Rgb{} : lit.right(); }},
+    {"the light falls off too fast: the cosine was squared",
+     [](Lit lit) { return lit.with_cosine(lit.light.cosine * lit.light.cosine); }},
+    {"dark: the light was divided by the square of the lamp's distance",
+     [](Lit lit) { return lit.with_cosine(lit.light.cosine / dot(lit.to_lamp, lit.to_lamp)); }},
 };
 
-constexpr LightMistake of_highlight[] = {
-    {"half_vector",
-     "the highlight is too wide: it takes Blinn's half vector and not the reflected light",
+inline constexpr LightMistake of_highlight[] = {
+    {"the highlight is too wide: it takes Blinn's half vector and not the reflected light",
      [](Lit lit) {
        const Vec3d half = normalize(lit.light.to_light + lit.to_eye);
        const double narrowed = std::pow(dot(half, lit.normal), lit.material.shininess);
        const bool shines = lit.light.cosine > 0;
        return lit.color * lit.diffuse() + gray(shines ? lit.material.specular * narrowed : 0);
      }},
-    {"colored_highlight",
-     "the highlight has the color of the surface: it was multiplied and not added",
+    {"the highlight has the color of the surface: it was multiplied and not added",
      [](Lit lit) { return lit.color * (lit.diffuse() + lit.specular()); }},
-    {"always_blended",
-     "the globe's texture is blended with its light, though nobody asked for a blend",
+    {"the globe's texture is blended with its light, though nobody asked for a blend",
      [](Lit lit) {
        if (!lit.on_globe) return lit.right();
        return mix(gray(clamp(lit.diffuse() + lit.specular(), 0.0, 1.0)), lit.color,
@@ -126,77 +136,51 @@ constexpr LightMistake of_highlight[] = {
      }},
 };
 
-/// Calls add(name, words, lesson) with the lesson in each scene that is wrong.
+/// Calls add(words, lesson) with the lesson in each scene that is wrong.
 template <class Lesson, class Add>
 void of_the_scene(const Lesson& right, const Add& add) {
-  const auto with = [&](const char* name, const char* words, const auto& change) {
+  const auto with = [&](const char* words, const auto& change) {
     Lesson lesson = right;
     change(lesson);
-    add(name, words, lesson);
+    add(words, lesson);
   };
   // The first is right for pictures of 4 : 3.
-  const auto angle = [&](const char* name, const char* words, double degrees) {
-    with(name, words, [=](Lesson& lesson) { lesson.stage.camera.fov_y_degrees = degrees; });
+  const auto angle = [&](const char* words, double degrees) {
+    with(words, [=](Lesson& lesson) { lesson.stage.camera.fov_y_degrees = degrees; });
   };
-  with("lamp_x", "the lamp is on the other side: its x has the wrong sign",
+  with("the lamp is on the other side: its x has the wrong sign",
        [](Lesson& lesson) { lesson.stage.light.position.x *= -1; });
-  with("lamp_z", "the lamp is behind the scene: its z has the wrong sign",
+  with("the lamp is behind the scene: its z has the wrong sign",
        [](Lesson& lesson) { lesson.stage.light.position.z *= -1; });
-  with("lamp_at_eye", "the lamp is where the eye is",
+  with("the lamp is where the eye is",
        [](Lesson& lesson) { lesson.stage.light.position = lesson.stage.camera.eye; });
-  with("eye_z", "seen from behind: the eye's z has the wrong sign",
+  with("seen from behind: the eye's z has the wrong sign",
        [](Lesson& lesson) { lesson.stage.camera.eye.z *= -1; });
-  with("eye_y", "seen from too low: the eye's y is 0",
+  with("seen from too low: the eye's y is 0",
        [](Lesson& lesson) { lesson.stage.camera.eye.y = 0; });
-  angle("angle_of_width", "all is too large: the angle of view was taken for the width", 46.826448);
-  angle("angle_twice", "all is too small: the tangent of the angle of view, and not of its half",
-        120);
-  angle("angle_90", "all is too small: the angle of view is 90 degrees", 90);
-  with("sky_upside_down", "the sky is upside down: its colors are exchanged",
+  angle("all is too large: the angle of view was taken for the width", 46.826448);
+  angle("all is too small: the tangent of the angle of view, and not of its half", 120);
+  angle("all is too small: the angle of view is 90 degrees", 90);
+  with("the sky is upside down: its colors are exchanged",
        [](Lesson& lesson) { std::swap(lesson.stage.sky.below, lesson.stage.sky.above); });
-  with("sky_black", "the sky is missing: rays that meet nothing are black",
+  with("the sky is missing: rays that meet nothing are black",
        [](Lesson& lesson) { lesson.stage.sky = {.below = {}, .above = {}}; });
-  with("sky_below", "the sky has one color: the second is missing",
+  with("the sky has one color: the second is missing",
        [](Lesson& lesson) { lesson.stage.sky.above = lesson.stage.sky.below; });
-  with("sky_above", "the sky has one color: the second is missing",
+  with("the sky has one color: the second is missing",
        [](Lesson& lesson) { lesson.stage.sky.below = lesson.stage.sky.above; });
-  with("no_ground", "the ground is missing", [](Lesson& lesson) { lesson.objects.pop_back(); });
-  with("exchanged_paints", "the left and the right sphere are exchanged",
+  with("the ground is missing", [](Lesson& lesson) { lesson.objects.pop_back(); });
+  with("the left and the right sphere are exchanged",
        [](Lesson& lesson) { std::swap(lesson.objects[1].paint, lesson.objects[2].paint); });
-  with("middle_and_right", "the middle and the right sphere are exchanged",
+  with("the middle and the right sphere are exchanged",
        [](Lesson& lesson) { std::swap(lesson.objects[0].paint, lesson.objects[2].paint); });
   if constexpr (HasHighlight<Lesson>) {
-    with("strong_highlight", "the highlight is too strong: its factor is missing",
+    with("the highlight is too strong: its factor is missing",
          [](Lesson& lesson) { lesson.objects.front().material.specular = 1; });
-    with("all_shine", "every object has the globe's highlight", [](Lesson& lesson) {
+    with("every object has the globe's highlight", [](Lesson& lesson) {
       for (auto& object : lesson.objects) object.material = lesson.objects.front().material;
     });
   }
 }
-
-/// A wrong place on the checkerboard, from the right one and the height of the normal.
-struct UvMistake {
-  const char *name, *words;
-  Uv<double> (*uv)(Uv<double> uv, double y);
-};
-
-constexpr UvMistake of_uv[] = {
-    {"v_by_height", "squeezed at the poles: v was taken from the height, without the angle",
-     [](Uv<double> uv, double y) -> Uv<double> {
-       return {uv.u, (y + 1) / 2};
-     }},
-    {"half_as_many", "half as many squares: 5 for 10, or u and v only reach 1/2",
-     [](Uv<double> uv, double) -> Uv<double> {
-       return {uv.u / 2, uv.v / 2};
-     }},
-    {"twice_as_many", "twice as many squares: 20 for 10, or u and v reach 2",
-     [](Uv<double> uv, double) -> Uv<double> {
-       return {2 * uv.u - std::floor(2 * uv.u), 2 * uv.v - std::floor(2 * uv.v)};
-     }},
-    {"twice_around", "twice around: u covers 0 to 2, or it was divided by pi and not by 2 pi",
-     [](Uv<double> uv, double) -> Uv<double> {
-       return {uv.u * 2, uv.v};
-     }},
-};
 
 }  // namespace texmap::mistakes

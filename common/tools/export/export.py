@@ -29,7 +29,7 @@ KEPT = """
     tests/exercises/[0-9][0-9]_[0-9].hpp tests/extremes/digits.hpp tests/packs/wide.sh
     !docs/teaching.md !docs/grading.md !docs/pictures/* !assets/*pp !assets/CMakeLists.txt
     !assets/sources/* !assets/*sum* !assets/sky.sha256
-    !common/tools/diagrams/* !common/tools/draw_mistakes/* !common/tools/export/*
+    !common/tools/diagrams/* !common/tools/export/*
     !common/tools/grade/* !common/tools/pages/*
     !common/tools/playground/* common/tools/playground/live.js common/tools/playground/live.css
 """.split()

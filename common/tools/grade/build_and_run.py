@@ -23,7 +23,7 @@ import threading
 from pathlib import Path
 
 from box import BOX, ENVIRONMENT, Boxes, Limits
-from pictures import png, run_to_end
+from pictures import png
 from results import GradeError
 
 # A chapter's suites, of which the first that reads its lesson counts. Chapter 13's times itself: a
@@ -91,6 +91,23 @@ def exercise_in(folder, item):
                 if re.fullmatch(item[3] + r'_[^/]*\.hpp', name):
                     return at, name, text
     return None
+
+
+def run_to_end(command, stopping, **streams):
+    """Runs a program that Ctrl-C does not reach, and ends it when this one is to stop. Its
+    status."""
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, start_new_session=True,
+                          **streams) as process:
+        while not stopping.is_set():
+            try:
+                return process.wait(0.05)
+            except subprocess.TimeoutExpired:
+                pass
+        if hasattr(os, 'killpg'):
+            os.killpg(process.pid, 15)
+        else:
+            process.terminate()
+    raise KeyboardInterrupt
 
 
 class Course:

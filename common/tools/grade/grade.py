@@ -20,8 +20,7 @@ from submissions import (Chapters, find_submissions, not_understood, shortened, 
                          tell_apart, what_was_read, who_was_found)
 
 TREE = Path(__file__).resolve().parents[3]
-# students with pictures of whom all pictures of a chapter are compared in a row: known mistakes
-# take a while to load
+# students of whom all pictures of a chapter are compared in a row: equal ones are judged once
 TOGETHER = 16
 
 
@@ -96,7 +95,7 @@ def command_line():
     add('--work', metavar='FOLDER', type=place, default=TREE / 'build/grade',
         help='where checkouts are built; kept for the next time (default: %(default)s)')
     add('--programs', metavar='FOLDER', type=place, default=TREE / 'build/learn/bin',
-        help='where judge_pictures and draw_mistakes are (default: %(default)s)')
+        help='where judge_pictures is (default: %(default)s)')
     version = re.search(r'project\(\S+ VERSION (\S+)',
                         (TREE / 'CMakeLists.txt').read_text(encoding='utf-8'))[1]
     add('--version', action='version', version=f'grade {version} (Texture Mapping, Step by Step)')
@@ -194,6 +193,7 @@ class Grading:
         self.options, self.items, self.out = options, items, options.out
         self.stopping = threading.Event()
         self.stopped = False  # by Ctrl-C
+        self.pictures = None
         self.finished = 0
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self.stop)
@@ -201,6 +201,8 @@ class Grading:
     def stop(self, *_):
         self.stopped = True
         self.stopping.set()
+        if self.pictures:
+            self.pictures.process.kill()
 
     def run(self):
         self.find_students()
@@ -213,7 +215,7 @@ class Grading:
         for item in self.items:
             if item.golden:
                 # what a student's program makes of it later does not count
-                self.pictures.ask(item.golden, item.golden)
+                self.pictures.compare(item.golden, item.golden)
         with open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='') as self.table:
             self.table.write(results.table([], results.COLUMNS, []))
             try:
@@ -258,14 +260,14 @@ class Grading:
 
     def compare(self, row, picture):
         """Sets the picture's part of a row."""
-        answer = self.pictures.compare(picture, row.item.golden, row.item)
+        answer = self.pictures.compare(picture, row.item.golden)
         row.word, row.picture_ok, row.shown = answer['word'], answer['right'], answer['shown']
         row.figures = answer if answer['measured'] else None
         row.add_note(answer['note'])
 
     def compare_hidden(self, row, picture, expected):
         """The same for a second picture that the student does not know."""
-        second = self.pictures.ask(picture, expected)
+        second = self.pictures.compare(picture, expected)
         row.hidden = 'yes' if second['right'] else 'no'
         if row.picture_ok and not second['right']:
             row.word, row.shown = 'second picture', second['shown']

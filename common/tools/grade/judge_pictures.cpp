@@ -1,13 +1,13 @@
 // Whether pictures are right, and if not, what is wrong with them in words: grade.py asks.
 //
-// A question is three texts, each with a zero byte at its end: a picture, the golden picture, and
-// the folder with what the chapter's known mistakes draw, empty if no word is wanted. The answer is
-// a line of JSON. Before the first question comes a line with the page that shows answers.
+// A question is two texts, each with a zero byte at its end: a picture and the golden picture. The
+// answer is a line of JSON. Before the first question comes a line with the page that shows
+// answers.
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <map>
 
+#include "diagnose/slips.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/files/blit.hpp"
@@ -29,8 +29,6 @@ using namespace texmap;
 constexpr int shown_width = 256;
 /// Answers that are kept for each golden picture: many students hand in the same bytes.
 constexpr std::size_t most_answers = 20;
-/// Chapters whose known mistakes are kept: each has 120 MB.
-constexpr std::size_t most_chapters = 4;
 
 struct Answer {
   std::string word;  ///< empty if the picture is right
@@ -115,19 +113,15 @@ std::string percent(double share) {
   return text(p >= 10 ? "%.0f %%" : p >= 1 ? "%.1f %%" : "%.2g %%", p);
 }
 
-/// Names wrong pictures by what the known mistakes of a chapter draw.
+/// Names wrong pictures.
 class KnownWords {
  public:
-  /// Such as "mirrored: u runs the other way"; empty if no known mistake is sure.
+  /// Such as "mirrored: u runs the other way"; empty if nothing is sure.
   ///
   /// @param golden  the file of the right picture
   [[nodiscard]] std::string words_for(const Image& is, const Image& should,
-                                      const std::filesystem::path& golden,
-                                      const std::string& folder) {
-    if (loaded_.size() == most_chapters && !loaded_.contains(folder)) loaded_.clear();
-    std::vector<WrongPicture>& known = loaded_[folder];
-    if (known.empty()) known = known_in(path_of(folder), should);
-    std::string words = name_mistake(is, should, known);
+                                      const std::filesystem::path& golden) {
+    std::string words = by_slips_.of(is, {name_of(golden.stem()), "", should});
     for (const WrongPicture& other : beside(golden)) {
       if (is_of_another_chapter(other, golden) && is_same_picture(is, other.picture))
         words += (words.empty() ? "" : "; or ") + other.words;
@@ -147,19 +141,7 @@ class KnownWords {
   }
 
  private:
-  /// Without these pictures the grades are the same, and less is said about them.
-  static std::vector<WrongPicture> known_in(const std::filesystem::path& folder,
-                                            const Image& should) {
-    try {
-      return known_mistakes(folder, should);
-    } catch (const FileError&) {
-      std::fprintf(stderr, "the known mistakes in %s cannot be loaded: they are not named\n",
-                   name_of(folder).c_str());
-      return mistakes_of_the_whole(should);
-    }
-  }
-
-  std::map<std::string, std::vector<WrongPicture>> loaded_;  ///< by folder
+  slips::Words by_slips_;
   std::map<std::filesystem::path, std::vector<WrongPicture>> beside_;
 };
 
@@ -169,11 +151,10 @@ struct Golden {
   std::filesystem::path path;
   std::vector<std::uint8_t> file;
   Image picture;
-  std::map<std::pair<std::string, std::vector<std::uint8_t>>, std::string> answers = {};
+  std::map<std::vector<std::uint8_t>, std::string> answers = {};
 };
 
-Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
-               const std::string& mistakes, KnownWords& known) {
+Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden, KnownWords& known) {
   Answer answer;
   const Image& should = golden.picture;
   const auto has_wrong_size = [&](auto width, auto height) {
@@ -224,7 +205,7 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
     return answer;
   }
   answer.word = "differs " + percent(answer.share_off);
-  std::string mistake = mistakes.empty() ? "" : known.words_for(is, should, golden.path, mistakes);
+  std::string mistake = known.words_for(is, should, golden.path);
   const bool has_cause =
       !mistake.empty() && !mistake.starts_with("softer") && !mistake.starts_with("rougher");
   if (looks_like_jpeg(file) && !has_cause && apart_when_soft(is, should) < nearly_the_same)
@@ -243,21 +224,19 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
 class Judge {
  public:
   /// Errors: FileError if the golden picture cannot be read.
-  std::string answer(const std::string& picture, const std::string& golden_picture,
-                     const std::string& mistakes) {
+  std::string answer(const std::string& picture, const std::string& golden_picture) {
     Golden& golden = golden_of(golden_picture);
     Answer answer;
     try {
-      std::vector<std::uint8_t> file = read_file(path_of(picture), max_file_bytes);
+      const std::vector<std::uint8_t> file = read_file(path_of(picture), max_file_bytes);
       if (file == golden.file) {
         answer.right = answer.measured = true;
         return answer.json();
       }
-      std::pair key(mistakes, std::move(file));
-      if (golden.answers.size() == most_answers && !golden.answers.contains(key))
+      if (golden.answers.size() == most_answers && !golden.answers.contains(file))
         golden.answers.clear();
-      std::string& known = golden.answers[key];
-      if (known.empty()) known = compare(key.second, golden, mistakes, words_).json();
+      std::string& known = golden.answers[file];
+      if (known.empty()) known = compare(file, golden, words_).json();
       return known;
     } catch (const std::exception& error) {
       answer.word = "unreadable";
@@ -271,7 +250,7 @@ class Judge {
     const auto known = goldens_.find(path);
     if (known != goldens_.end()) return known->second;
     Golden golden = with_name("cannot load the golden picture", path_of(path), [&] {
-      std::vector<std::uint8_t> file = read_file(path_of(path), max_file_bytes);
+      const std::vector<std::uint8_t> file = read_file(path_of(path), max_file_bytes);
       Image picture = decode_image(file);
       return Golden{path_of(path), std::move(file), std::move(picture)};
     });
@@ -293,10 +272,8 @@ int main(int argc, char** argv) {
     };
     print(Json::object({{"page", page("")}, {"page_with_script", page("@SCRIPT@")}}).text + "\n");
     Judge judge;
-    std::string picture, golden, mistakes;
-    while (std::getline(std::cin, picture, '\0') && std::getline(std::cin, golden, '\0') &&
-           std::getline(std::cin, mistakes, '\0')) {
-      print(judge.answer(picture, golden, mistakes) + "\n");
-    }
+    std::string picture, golden;
+    while (std::getline(std::cin, picture, '\0') && std::getline(std::cin, golden, '\0'))
+      print(judge.answer(picture, golden) + "\n");
   });
 }

@@ -7,10 +7,8 @@
 
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/files/load_image.hpp"
-#include "engine/files/system.hpp"
 #include "support/made_pictures.hpp"
 #include "support/pictures.hpp"
-#include "support/temporary_folder.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -132,18 +130,9 @@ TEST_CASE("two mistakes that draw the same picture are both named") {
   const std::vector<WrongPicture> alike{{"a", "a mistake", wrong}, {"b", "a mistake", wrong}};
   CHECK(name_mistake(wrong, right, two) == "a mistake; or another: why");
   CHECK(short_words(name_mistake(wrong, right, two)) == "a mistake or another");
+  CHECK(short_words("a: b; and c: d; or e") == "a and c or e");
   CHECK(name_mistake(wrong, right, alike) == "a mistake");
   // A mistake that does not show in this picture is no rival.
   CHECK(name_mistake(right, wrong, {{{"c", "another", wrong}, {"a", "a mistake", right}}}) ==
         "a mistake");
-}
-
-TEST_CASE("a table of mistakes that is not there or broken is an error that names it") {
-  const TemporaryFolder folder;
-  const auto error = [&] {
-    return image_error_of([&] { (void)load_wrong_pictures(path_of(folder.path())); });
-  };
-  CHECK(error().find("mistakes.txt") != std::string::npos);
-  write_text_atomically(path_of(folder / "mistakes.txt"), std::string("no tab\n"));
-  CHECK(error().find("without a tab") != std::string::npos);
 }

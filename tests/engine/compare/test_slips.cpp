@@ -7,9 +7,19 @@
 #include "03_image_texture/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "support/made_pictures.hpp"
+#include "support/pictures.hpp"
 
 using namespace texmap;
 using chapter_03::Object;
+
+const std::vector<slips::OnStage>& slips::stages() {
+  static const std::vector<OnStage> all{on_stage<chapter_03::Lesson>("03_image_texture")};
+  return all;
+}
+const std::vector<slips::OnStage>& slips::variants() {
+  static const std::vector<OnStage> none;
+  return none;
+}
 
 namespace {
 
@@ -166,4 +176,18 @@ TEST_CASE("another texture is told from a wrong place in the right one") {
   const Mistake mirrored{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }};
   CHECK(!has_other_colors(drawn_with(mirrored), of_chapter({})));
   CHECK(explain(drawn_with(mirrored), of_chapter(crate), 0).different > 500);
+}
+
+TEST_CASE("the words for grading: of slips, of the whole picture, and none that is not sure") {
+  slips::Words words;
+  const WrongPicture right{"03_image_texture", "", drawn_with({})};
+  const auto of = [&](const Image& drawn) { return short_words(words.of(drawn, right)); };
+  CHECK(of(drawn_with({.shadows = false, .bgr = true})) ==
+        "red and blue are exchanged in the texture and without shadows");
+  CHECK(of(drawn_with({.acne = true})) == "full of dark dots");
+  CHECK(of(test::mirrored(right.picture)) == "the whole picture is mirrored");
+  CHECK(of(test::noise(800, 600, 3)).empty());
+  // A chapter that is not known, and a lesson that draws another picture than the right one.
+  CHECK(words.of(drawn_with({.shadows = false}), {"99_other", "", right.picture}).empty());
+  CHECK(words.of(right.picture, {"03_image_texture", "", drawn_with({.ambient = 0})}).empty());
 }

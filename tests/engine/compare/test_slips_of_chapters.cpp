@@ -1,5 +1,5 @@
-// Students' wrong lessons of the chapters 02, 05 and 06, written as students write them: the
-// program draw_mistakes draws the same pictures, so each gets its word, and its neighbors none.
+// Students' wrong lessons of several chapters, written as students write them: each gets its words,
+// and its neighbors none. What is drawn again is drawn as the program draws it.
 #include <doctest.h>
 
 #include <cmath>
@@ -8,34 +8,38 @@
 #include "02_checkerboard_uv/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
-#include "engine/compare/known_mistakes.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
+#include "12_environment_map/lesson.hpp"
+#include "diagnose/slips.hpp"
+#include "diagnose/variants.hpp"
 #include "support/pictures.hpp"
-#include "support/running.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
 
+const std::vector<slips::OnStage>& slips::stages() {
+  static const std::vector<OnStage> none;
+  return none;
+}
+const std::vector<slips::OnStage>& slips::variants() { return stages(); }
+
 namespace {
 
-constexpr int width = 240;
-constexpr int height = 180;
+/// The words of what explains a picture.
+std::string words_of(const Image& drawn, const slips::StageView& stage) {
+  const std::array<const slips::StageView*, 1> alone{&stage};
+  const auto whys = slips::explain_by_any(drawn, alone);
+  return whys.empty() ? "" : slips::all_of(whys.front().second.slips);
+}
 
-/// A chapter as an instructor has it: its right picture, and what draw_mistakes draws.
+/// A chapter of the stage, and its right picture.
 template <class Lesson>
 struct Key {
   Lesson lesson = prepared<Lesson>();
-  Image right = picture(lesson, width, height);
-  std::vector<WrongPicture> wrong;
+  slips::StageView stage;
 
-  explicit Key(const std::string& chapter) {
-    const TemporaryFolder folder;
-    const std::string size =
-        " --width " + std::to_string(width) + " --height " + std::to_string(height);
-    const Outcome outcome = run("\"" TEXMAP_DRAW_MISTAKES "\" " + chapter + " --out \"" +
-                                (folder / "made") + "\"" + size);
-    REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
-    wrong = load_wrong_pictures(folder / "made");
-  }
+  explicit Key(const std::string& chapter) : stage(slips::view_stage<Lesson>(chapter)) {}
   /// The picture with a student's color at each hit gets these words, or how they begin.
   template <class Shade>
   void expect(const std::string& words, const Shade& shade) const {
@@ -44,8 +48,8 @@ struct Key {
           lesson.objects, ray, lesson.stage.sky,
           [&](const auto& object, const Hit<double>& hit) { return shade(object, hit, ray); });
     };
-    const Image drawn = render<double>(look, view_of(lesson.stage.camera, width, height));
-    const std::string named = name_mistake(drawn, right, wrong);
+    const Image drawn = render<double>(look, view_of(lesson.stage.camera, 800, 600));
+    const std::string named = words_of(drawn, stage);
     CHECK_MESSAGE((named.starts_with(words) && named.empty() == words.empty()), words, ": ", named);
   }
 };
@@ -53,7 +57,7 @@ struct Key {
 }  // namespace
 
 TEST_CASE("chapter 02: four mistakes draw the other squares, and have one word") {
-  const Key<chapter_02::Lesson> key("02");
+  const Key<chapter_02::Lesson> key("02_checkerboard_uv");
   const chapter_02::Lesson& lesson = key.lesson;
   const char* const word = "every square has the other color";
   // (u, v) is `from` and so many of the angles; in turns, 0 at +x and at the equator.
@@ -68,9 +72,9 @@ TEST_CASE("chapter 02: four mistakes draw the other squares, and have one word")
       {word, {0, 0.5}, {1, 1}, blue, white},
       {word, {0.5, 0}, {1, 1}, blue, white},
       {word, {0.5, 0.5}, {1, 1}, white, blue},
-      // The neighbors: other colors, and half a square off.
+      // The neighbors: other colors, and half a square off, as by a quarter turn.
       {"", {0.5, 0.5}, {1, 1}, red, white},
-      {"", {0.55, 0.5}, {1, 1}, blue, white},
+      {"a quarter turn off", {0.55, 0.5}, {1, 1}, blue, white},
   };
   for (const auto& row : rows) {
     key.expect(row.words, [&](const auto& object, const Hit<double>& hit, const auto&) {
@@ -87,7 +91,7 @@ TEST_CASE("chapter 02: four mistakes draw the other squares, and have one word")
 }
 
 TEST_CASE("chapter 05: a turned light and another axis have their words") {
-  const Key<chapter_05::Lesson> key("05");
+  const Key<chapter_05::Lesson> key("05_y_rotation");
   const chapter_05::Lesson& lesson = key.lesson;
   struct Turn {
     Vec3d x, y, z;  // the rows of its matrix
@@ -108,8 +112,8 @@ TEST_CASE("chapter 05: a turned light and another axis have their words") {
       {axis, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, alone},
       {axis, {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, alone},
       {axis, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, alone},
-      // x and y exchanged are a mirror, and no turn.
-      {"", {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, alone},
+      // x and y exchanged: a turn about z, upside down.
+      {axis, {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, alone},
   };
   const auto& globe = lesson.objects[chapter_05::middle];
   for (const auto& row : rows) {
@@ -126,7 +130,7 @@ TEST_CASE("chapter 05: a turned light and another axis have their words") {
 }
 
 TEST_CASE("chapter 06: mistakes of the light and of the highlight have their words") {
-  const Key<chapter_06::Lesson> key("06");
+  const Key<chapter_06::Lesson> key("06_phong_texture_blend");
   const chapter_06::Lesson& lesson = key.lesson;
   struct Student {
     const char* words;
@@ -136,16 +140,17 @@ TEST_CASE("chapter 06: mistakes of the light and of the highlight have their wor
   const Student rows[] = {
       {.words = ""},  // right
       {.words = "black in the shadow: the ambient light is missing", .ambient = 0},
-      {.words = "without a highlight, or the direction to the eye has the wrong sign",
+      {.words =
+           "without a highlight: its factor is 0, or the direction to the eye has the wrong sign",
        .toward_eye = -1},
       {.words = "the highlight has the color of the surface", .colored = true},
       {.words = "the globe's texture is blended", .blended = true},
       {.words = "the highlight is too wide: it takes Blinn's half vector", .half_vector = true},
       // With four times the exponent the half vector draws almost the right picture.
-      {.words = "", .exponent = 200, .half_vector = true},
-      {.words = "the highlight is too wide: its exponent is too small", .exponent = 10},
-      {.words = "", .exponent = 40},
-      {.words = "", .exponent = 80},
+      {.words = "the highlight's exponent is", .exponent = 200, .half_vector = true},
+      {.words = "the highlight's exponent is 10 and not 50", .exponent = 10},
+      {.words = "the highlight's exponent is 40 and not 50", .exponent = 40},
+      {.words = "the highlight's exponent is 80 and not 50", .exponent = 80},
   };
   for (const Student& row : rows) {
     key.expect(row.words, [&](const auto& object, const auto& hit, const auto& ray) {
@@ -162,4 +167,36 @@ TEST_CASE("chapter 06: mistakes of the light and of the highlight have their wor
       return row.colored ? color * (diffuse + shine) : color * diffuse + gray(shine);
     });
   }
+}
+
+TEST_CASE("what is drawn again at few pixels is what the program draws there") {
+  const auto check = [](auto ready) {
+    ready->chosen.settings.quiet = true;
+    build(ready->lesson, ready->chosen);
+    const Image whole = Session(ready->chosen).draw(ready->lesson);
+    for (const int every : {3, 30})
+      CHECK(slips::drawn_at(*ready, every) == slips::pixels_of(whole, every));
+  };
+  const std::vector<std::string> small{"--width", "97", "--height", "64", "--samples", "3"};
+  check(std::make_unique<Ready<chapter_07::Lesson>>("07_earth_by_sampling", small));
+  check(std::make_unique<Ready<chapter_12::Lesson>>("12_environment_map", small));
+  check(std::make_unique<Ready<chapter_08::Lesson>>("08_triangle_uv", small));
+}
+
+TEST_CASE("a mesh and gathered light: mistakes are drawn again, also with other random numbers") {
+  const auto draw_07 = [](const std::vector<std::string>& words) {
+    return drawing_by<chapter_07::Lesson>("07_earth_by_sampling", words)();
+  };
+  const slips::StageView globe = slips::view_colors<chapter_07::Lesson>("07_earth_by_sampling", "");
+  CHECK(words_of(draw_07({"--quiet", "--decode", "raw"}), globe).starts_with("the texture is too"));
+  CHECK(words_of(draw_07({"--quiet", "--decode", "raw", "--seed", "7"}), globe)
+            .starts_with("the texture is too pale"));
+  CHECK(words_of(draw_07({"--quiet", "--seed", "7"}), globe).empty());
+  const slips::StageView crate = slips::view_colors<chapter_08::Lesson>("08_triangle_uv", "");
+  const Image clamped =
+      drawing_by<chapter_08::Lesson>("08_triangle_uv", {"--quiet", "--wrap", "clamp"})();
+  CHECK(words_of(clamped, crate).starts_with("the texture's edge is repeated"));
+  CHECK(words_of(mirrored(clamped), crate) ==
+        "the texture's edge is repeated: coordinates were limited to 0 and 1; and the whole "
+        "picture is mirrored: columns run the other way");
 }

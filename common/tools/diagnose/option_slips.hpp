@@ -1,0 +1,72 @@
+// The mistakes that a chapter's own options draw.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texmap::slips {
+
+/// A mistake that a chapter's own option draws.
+struct OptionSlip {
+  const char *chapters, *option, *value;
+  const char *words, *change;  ///< as of a Slip
+
+  [[nodiscard]] std::vector<std::string> typed() const {
+    std::vector<std::string> all{option};
+    if (*value != 0) all.emplace_back(value);
+    return all;
+  }
+};
+inline constexpr OptionSlip of_options[] = {
+    {"05", "--degrees", "5156.6201561774", "turned by degrees taken for radians",
+     "`angle * pi / 180`"},
+    {"05", "--degrees", "1.5707963", "turned by radians taken for degrees", "`angle * pi / 180`"},
+    {"05", "--degrees", "45", "turned by half the angle", "the whole angle"},
+    {"06", "--degrees", "1145.9155902616", "turned by degrees taken for radians",
+     "`angle * pi / 180`"},
+    {"06", "--highlight", "lecture", "shining on its night side: the highlight has the wrong sign",
+     ""},
+    {"07", "--rounding", "lecture", "squeezed: (int)((n - 1) u) in place of floor(n u)",
+     "`floor(u * n)`, at most n - 1"},
+    {"07", "--decode", "raw",
+     "the texture is too pale: its bytes were taken for light and not decoded",
+     "the curve from bytes to light before the mean"},
+    {"07 12", "--gamma", "sqrt", "the square root was taken in place of the curve of image files",
+     "the sRGB curve"},
+    {"07 12", "--gamma", "2.2", "the power 1/2.2 was taken in place of the curve of image files",
+     "the sRGB curve"},
+    {"07", "--degrees", "90", "a quarter turn off: u begins at another place", ""},
+    {"07 12", "--bounces", "1", "one bounce: paths end at the first surface", "more bounces"},
+    {"08", "--wrap", "repeat", "the texture is repeated and not mirrored", "`--wrap mirror`"},
+    {"08", "--wrap", "clamp", "the texture's edge is repeated: coordinates were limited to 0 and 1",
+     "`u - floor(u)`"},
+    {"08", "--degrees", "25", "turned the other way: the sign of the sine",
+     "the other sign of the sine, or of the angle"},
+    {"08", "--degrees", "0", "not turned at all", "rotate the points before the rays"},
+    {"11", "--relief", "-0.06", "dents and not bumps: the height has the wrong sign", ""},
+    {"11", "--relief", "0.03", "the bumps are half as high", "a relief of 0.06"},
+    {"11", "--relief", "0.12", "the bumps are twice as high", "a relief of 0.06"},
+    {"11", "--bump", "off", "without bumps: the globe's own normal", "the leaning normal"},
+    {"11", "--bump", "blinn", "Blinn's normal of 1978, which leaves out the term h dn",
+     "the exact normal"},
+    {"12", "--degrees", "180", "the sky is turned by half", "u + 0.5"},
+    {"12", "--degrees", "90", "the sky is turned by a quarter", "u - 0.25"},
+    {"12", "--degrees", "-90", "the sky is turned by a quarter", "u + 0.25"},
+    {"12", "--sky-mirrored", "", "the sky is mirrored: what should be left is right", "1 - u"},
+    {"12", "--exposure", "1", "the sky is twice as bright", "the picture's own light"},
+    {"12", "--exposure", "-1", "the sky is half as bright", "the picture's own light"},
+    {"12", "--filter", "nearest", "the sky has edges: one texel was read, and not four mixed",
+     "bilinear"},
+};
+
+/// Those of a chapter, by its folder's name.
+[[nodiscard]] inline std::vector<const OptionSlip*> option_slips_of(std::string_view chapter) {
+  std::vector<const OptionSlip*> found;
+  for (const OptionSlip& slip : of_options) {
+    if (std::string_view(slip.chapters).find(chapter.substr(0, 2)) != std::string_view::npos)
+      found.push_back(&slip);
+  }
+  return found;
+}
+
+}  // namespace texmap::slips
