@@ -69,7 +69,10 @@ std::string place_of(const fs::path& root, const std::string& html, const std::s
 
 /// What a card says to change, where it is, and the page that explains it. A card is a row of a
 /// table: its picture with others and words, the cause, the change, and a link to a chapter.
-std::string card_in(const fs::path& root, const std::string& card, std::string& chapter) {
+///
+/// @param change  what to write, where it is known better than the card says
+std::string card_in(const fs::path& root, const std::string& card, const std::string& change,
+                    std::string& chapter) {
   const std::vector<std::uint8_t> page = read_file(root / "docs/symptoms.md", max_file_bytes);
   std::istringstream lines(std::string(page.begin(), page.end()));
   const std::string image = "/" + card + ".png)", ends = ".png) ", link = "[chapter ";
@@ -84,9 +87,9 @@ std::string card_in(const fs::path& root, const std::string& card, std::string& 
     }
     if (cells.size() < 4 || cells[3].find(link) == std::string::npos) continue;
     chapter = cells[3].substr(cells[3].find(link) + link.size(), 2);
-    return "  change      " + cells[2] + "\n  the card    My Earth is … " +
-           cells[0].substr(cells[0].rfind(ends) + ends.size()) + "\n              " +
-           place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
+    return "  change      " + (change.empty() ? cells[2] : change) +
+           "\n  the card    My Earth is … " + cells[0].substr(cells[0].rfind(ends) + ends.size()) +
+           "\n              " + place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
   }
   return "";
 }
@@ -111,7 +114,7 @@ std::string explained(const Choices& choices, const std::string& right,
     std::string found;
     for (const auto& row : cards) {
       if (slip.words.find(row.words) != std::string::npos)
-        found += card_in(choices.root(), row.card, chapter);
+        found += card_in(choices.root(), row.card, slip.change, chapter);
     }
     if (found.empty() && !slip.change.empty()) found = "  change      " + slip.change + "\n";
     said += found;
@@ -192,22 +195,28 @@ Stray stray_pixels(const Image& mine, const Image& right) {
 }
 
 /// Words for a picture that is right but for a few pixels.
-std::string but_for(const Choices& choices, const WrongPicture& right, const Stray& stray) {
+///
+/// @param stage  of the chapter; null if it is not known
+std::string but_for(const Choices& choices, const Image& mine, const WrongPicture& right,
+                    const Stray& stray, const slips::StageView* stage) {
   const double box = (stray.right - stray.left + 1.0) * (stray.bottom - stray.top + 1);
+  const std::string pixels = text("%zu %s: ", stray.count, stray.count == 1 ? "pixel" : "pixels");
   std::string what = "pixels of other colors";
-  if (box * 100 < right.picture.width * static_cast<double>(right.picture.height)) {
+  if (stray.count > 1 &&
+      box * 100 < right.picture.width * static_cast<double>(right.picture.height))
     what = text("something is painted over columns %d to %d, rows %d to %d", stray.left,
                 stray.right, stray.top, stray.bottom);
-  }
   if (stray.white * 10 >= stray.count * 9) what = "white dots: most likely a division by 0";
   if (stray.black * 10 >= stray.count * 9) {
     what =
-        "black dots: most likely a number that is none (NaN), or shadow rays that meet their own "
-        "surface";
+        "black dots: most likely a number that is none (NaN), or, on objects, shadow rays that "
+        "meet their own surface";
+  }
+  if (stage != nullptr && slips::is_in_highlight(mine, *stage)) {
+    what = "the highlight is wrong, by a mistake that is not known";
   }
   return choices.file + ": chapter " + right.name.substr(0, 2) + "'s picture, right but for " +
-         text("%zu pixels: ", stray.count) + what +
-         text("\n  the first   column %d, row %d\n", stray.column, stray.row);
+         pixels + what + text("\n  the first   column %d, row %d\n", stray.column, stray.row);
 }
 
 /// Errors: FileError, with the remedy.
@@ -340,7 +349,8 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
   }
   const WrongPicture& nearest = candidates.front();
   if (found.empty() && least <= few)
-    return but_for(choices, nearest, stray_pixels(mine, nearest.picture));
+    return but_for(choices, mine, nearest, stray_pixels(mine, nearest.picture),
+                   stages.empty() ? nullptr : stages.data());
   if (found.empty()) {
     found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
             nearest.name.substr(0, 2) + "'s:\n  where       ./course diff " + choices.file +

@@ -45,6 +45,9 @@ struct Explanation {
 /// of those in the lamp's light are near fewer than 0.1 % of its texels.
 [[nodiscard]] bool has_other_colors(const Image& drawn, const StageView& stage);
 
+/// True if what is wrong lies where the stage has a highlight.
+[[nodiscard]] bool is_in_highlight(const Image& drawn, const StageView& stage);
+
 /// The mistake of a picture in which only shadows are wrong; without words if it is another one.
 [[nodiscard]] Slip wrong_shadows(const Image& drawn, const StageView& stage);
 

@@ -34,6 +34,7 @@ struct Seen {
   Vec3d direction{};    ///< that the mapping is given: the normal, turned where the lesson turns it
   bool mapped = false;  ///< by uv_rtiow of `direction`
   bool on_checkers = false;  ///< else the color is read in the picture
+  bool shines = false;       ///< in the highlight, which is judged like an object
 };
 
 template <class... Paints, class Visit>
@@ -127,6 +128,7 @@ template <OfTheStage Lesson>
           seen.lit->light.to_light = path;
           seen.lit->light.cosine = hidden ? 0 : std::max(dot(hit.normal, path), 0.0);
         }
+        seen.shines = seen.lit->specular() > 0.02;
         seen.direction = hit.normal;
         seen.radius = object.shape.radius;
         const auto keep_paint = [&](const auto& paint) {
@@ -170,6 +172,14 @@ inline const ViewSlip of_view[] = {
     {{"all is too small and turned: the angle of view, in degrees, was taken for radians",
       "`angle * pi / 180`"},
      [](View<>& view) { view.pixel = tan(30.0) / 300; }},
+    {{"all is too large: the height of the view is the tangent, and not twice the tangent",
+      "`2 * tan(angle / 2) / height` for each pixel"},
+     [](View<>& view) { view.pixel /= 2; }},
+    {{"all is too low: the camera's up is (0, 1, 0), and not at right angles to its view",
+      "`cross(right, forward)`"},
+     [](View<>& view) {
+       view.up = {0, 1, 0};
+     }},
     {{"half a pixel off: rays go through the corners of pixels", "`column + 0.5`, `row + 0.5`"},
      [](View<>& view) { view.center_column += 0.5, view.center_row += 0.5; }},
     {{"the camera does not look at its target: its axes are the world's", "`target - eye`"},
@@ -232,6 +242,22 @@ void visit_changed(const StageView& stage, const Visit& visit) {
     }
   }
   lesson.stage.light.position = lamp;
+  const auto move = [&](const char* what, Point& point, const Point& to) {
+    if (length(to - point) == 0) return;
+    const Point was = std::exchange(point, to);
+    visit_lesson({text("the %s is at (%g, %g, %g) and not at (%g, %g, %g)", what, to.x, to.y, to.z,
+                       was.x, was.y, was.z),
+                  ""},
+                 lesson);
+    point = was;
+  };
+  const Point eye = right.stage.camera.eye;
+  for (const double z : {3, 4, 5, 6, 7, 9, 10, 12})
+    move("eye", lesson.stage.camera.eye, {0, eye.y, z});
+  for (const double y : {1.0, 1.5, 2.5, 3.0, 4.0})
+    move("eye", lesson.stage.camera.eye, {0, y, eye.z});
+  for (const double y : {-1.0, -0.5, 0.5, 1.0, 2.0})
+    move("target", lesson.stage.camera.target, {0, y, 0});
   for (int degrees = 20; degrees <= 110; ++degrees) {
     if (degrees == 60 || degrees == 90) continue;  // right; of_the_scene has it
     lesson.stage.camera.fov_y_degrees = degrees;

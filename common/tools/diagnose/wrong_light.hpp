@@ -21,7 +21,7 @@ concept HasHighlight = requires(const Lesson& lesson) {
 /// What a lesson computes the color of a hit from, for a mistake to change.
 struct Lit {
   Rgb color;  ///< of the paint
-  Point lamp;
+  Point lamp, eye;
   Vec3d to_lamp;  ///< not of length 1
   Vec3d normal, to_eye;
   bool on_globe;
@@ -34,6 +34,7 @@ struct Lit {
       const Ray<double>& ray)
       : color(own_color),
         lamp(lesson.stage.light.position),
+        eye(lesson.stage.camera.eye),
         to_lamp(lamp - hit.point),
         normal(hit.normal),
         to_eye(-ray.direction),
@@ -53,6 +54,13 @@ struct Lit {
   [[nodiscard]] double specular() const { return phong.highlight(material, light, normal, to_eye); }
   /// As the lesson computes it.
   [[nodiscard]] Rgb right() const { return color * diffuse() + gray(specular()); }
+  /// With a highlight by the cosine of two other directions.
+  [[nodiscard]] Rgb shining(const Vec3d& a, const Vec3d& b) const {
+    const double cosine = max(dot(a, b), 0.0);
+    const bool shines = light.cosine > 0;
+    return color * diffuse() +
+           gray(shines ? material.specular * std::pow(cosine, material.shininess) : 0);
+  }
   /// The same with another cosine of the light.
   [[nodiscard]] Rgb with_cosine(double other) {
     light.cosine = other;
@@ -69,8 +77,6 @@ struct LightMistake {
 inline constexpr LightMistake of_light[] = {
     {"too bright: the vector to the lamp was not divided by its length",
      [](Lit lit) { return lit.with_cosine(lit.light.cosine * length(lit.to_lamp)); }},
-    {"without shadows: no ray goes to the lamp",
-     [](Lit lit) { return lit.with_cosine(max(lit.cosine(), 0.0)); }},
     {"too dark on the far side: cosines below 0 were not limited to 0",
      [](Lit lit) { return lit.with_cosine(lit.cosine() < 0 ? lit.cosine() : lit.light.cosine); }},
     {"black in the shadow: the ambient light is missing",
@@ -102,12 +108,28 @@ inline constexpr LightMistake of_light[] = {
        if (lit.light.cosine > 0) lit.light.cosine = max(dot(lit.normal, normalize(lit.lamp)), 0.0);
        return lit.right();
      }},
-    {"too dark on the far side, and without shadows: cosines below 0 were not limited to 0",
-     [](Lit lit) { return lit.with_cosine(lit.cosine()); }},
     {"the light was multiplied twice",
      [](Lit lit) { return lit.color * (lit.diffuse() * lit.diffuse()) + gray(lit.specular()); }},
-    {"lit on both sides: the cosine lost its sign, and no ray goes to the lamp",
-     [](Lit lit) { return lit.with_cosine(abs(lit.cosine())); }},
+    {"lit on both sides: the cosine lost its sign",
+     [](Lit lit) { return lit.with_cosine(lit.cosine() < 0 ? -lit.cosine() : lit.light.cosine); }},
+    {"black in the shadow: a point in the shadow lost its ambient light",
+     [](Lit lit) { return lit.light.cosine == 0 ? Rgb{} : lit.right(); }},
+    {"lit where it should be dark: the test of the shadow is the wrong way round",
+     [](Lit lit) {
+       const double cosine = max(lit.cosine(), 0.0);
+       return lit.with_cosine(lit.light.cosine == 0 ? cosine : 0);
+     }},
+    {"flat: the larger of the ambient and the lamp's light was taken, and not their sum",
+     [](Lit lit) {
+       return lit.color * max(lit.material.lambertian.ambient, lit.light.cosine) +
+              gray(lit.specular());
+     }},
+    {"too soft: the cosine was moved to 0 to 1, (cosine + 1) / 2",
+     [](Lit lit) { return lit.with_cosine((lit.cosine() + 1) / 2); }},
+    {"pale: the light was added to the color and not multiplied",
+     [](Lit lit) { return lit.color + gray(lit.diffuse() + lit.specular()); }},
+    {"the globe alone has no light: its color is the texture's",
+     [](Lit lit) { return lit.on_globe ? lit.color : lit.right(); }},
     {"dark where the lamp shines: the normal points inward for the light",
      [](Lit lit) { return lit.with_cosine(max(-lit.cosine(), 0.0)); }},
     {"black in the shadow alone: a point in the shadow lost its ambient light",
@@ -120,11 +142,20 @@ inline constexpr LightMistake of_light[] = {
 
 inline constexpr LightMistake of_highlight[] = {
     {"the highlight is too wide: it takes Blinn's half vector and not the reflected light",
+     [](Lit lit) { return lit.shining(normalize(lit.light.to_light + lit.to_eye), lit.normal); }},
+    {"the highlight is dark: it was subtracted and not added",
+     [](Lit lit) { return lit.color * lit.diffuse() + gray(-lit.specular()); }},
+    {"the highlight is too weak at its rim: it was multiplied by the cosine of the light",
+     [](Lit lit) { return lit.color * lit.diffuse() + gray(lit.specular() * lit.light.cosine); }},
+    {"the highlight lies where the lamp shines straight: (n · l) to the exponent",
+     [](Lit lit) { return lit.shining(lit.light.to_light, lit.normal); }},
+    {"the highlight is in one place for all points: the way to the eye is the eye's position",
      [](Lit lit) {
-       const Vec3d half = normalize(lit.light.to_light + lit.to_eye);
-       const double narrowed = std::pow(dot(half, lit.normal), lit.material.shininess);
-       const bool shines = lit.light.cosine > 0;
-       return lit.color * lit.diffuse() + gray(shines ? lit.material.specular * narrowed : 0);
+       return lit.shining(lit.normal * (2 * lit.cosine()) - lit.light.to_light, normalize(lit.eye));
+     }},
+    {"the highlight is white: it was multiplied by the exponent",
+     [](Lit lit) {
+       return lit.color * lit.diffuse() + gray(lit.specular() * lit.material.shininess);
      }},
     {"the highlight has the color of the surface: it was multiplied and not added",
      [](Lit lit) { return lit.color * (lit.diffuse() + lit.specular()); }},
@@ -174,6 +205,14 @@ void of_the_scene(const Lesson& right, const Add& add) {
        [](Lesson& lesson) { std::swap(lesson.objects[1].paint, lesson.objects[2].paint); });
   with("the middle and the right sphere are exchanged",
        [](Lesson& lesson) { std::swap(lesson.objects[0].paint, lesson.objects[2].paint); });
+  with("the outer balls are too large: their radius is 1", [](Lesson& lesson) {
+    for (const std::size_t i : {1U, 2U}) lesson.objects[i].shape.radius = 1;
+  });
+  with("the outer balls stand too far back: their z has the wrong sign", [](Lesson& lesson) {
+    for (const std::size_t i : {1U, 2U}) lesson.objects[i].shape.center.z *= -1;
+  });
+  with("the ground is too high: its center is at y = -1000",
+       [](Lesson& lesson) { lesson.objects[3].shape.center.y = -1000; });
   if constexpr (HasHighlight<Lesson>) {
     with("the highlight is too strong: its factor is missing",
          [](Lesson& lesson) { lesson.objects.front().material.specular = 1; });

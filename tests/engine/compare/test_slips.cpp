@@ -33,6 +33,7 @@ struct Mistake {
   Point lamp{5, 5, 5};
   std::size_t casters = 4;  ///< that many objects cast a shadow
   bool acne = false;        ///< a shadow ray meets what it leaves
+  bool unlimited = false;   ///< neither the cosine nor the channel is limited to 0
 };
 
 /// True if a sphere lies at a distance above 0, however small.
@@ -52,6 +53,7 @@ Image drawn_with(const Mistake& mistake) {
     const auto shade = [&](const Object& object, const Hit<double>& hit) {
       LightSample<double> light = sample_light(lesson.stage.light, casters, hit);
       const Point from = ray.origin + ray.direction * distance_to(object.shape, ray);
+      if (mistake.unlimited) light.cosine = std::min(light.cosine, dot(hit.normal, light.to_light));
       if (mistake.acne && is_ahead(object.shape, from, light.to_light)) light.cosine = 0;
       Rgb color = object.paint(hit);
       if (const auto* textured = std::get_if<chapter_03::Textured>(&object.paint))
@@ -65,7 +67,11 @@ Image drawn_with(const Mistake& mistake) {
   view.right = view.right * mistake.across;
   return image_of(800, 600, [&](int column, int row) {
     const Rgb c = color_of(ray_through<double>(view, column, row));
-    return Rgb8{byte_of(c.r), byte_of(c.g), byte_of(c.b)};
+    const auto byte = [&](double x) {
+      return mistake.unlimited ? static_cast<std::uint8_t>(static_cast<int>(255 * std::min(x, 1.0)))
+                               : byte_of(x);
+    };
+    return Rgb8{byte(c.r), byte(c.g), byte(c.b)};
   });
 }
 
@@ -103,6 +109,7 @@ TEST_CASE("a mistake, or two at once, are found by what they draw") {
       {{.uv = [](Vec3d n) { return uv_rtiow(rotation_y(37)(n)); }}, "turned by 37 degrees;"},
       {{.shadows = false}, "without shadows;"},
       {{.ambient = 0}, "black in the shadow;"},
+      {{.unlimited = true}, "too dark on the far side;"},
       {{.bgr = true}, "red and blue are exchanged in the texture;"},
       {{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }, .shadows = false},
        "mirrored;without shadows;"},

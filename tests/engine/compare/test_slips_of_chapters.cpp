@@ -140,9 +140,7 @@ TEST_CASE("chapter 06: mistakes of the light and of the highlight have their wor
   const Student rows[] = {
       {.words = ""},  // right
       {.words = "black in the shadow: the ambient light is missing", .ambient = 0},
-      {.words =
-           "without a highlight: its factor is 0, or the direction to the eye has the wrong sign",
-       .toward_eye = -1},
+      {.words = "without a highlight: its factor is 0", .toward_eye = -1},
       {.words = "the highlight has the color of the surface", .colored = true},
       {.words = "the globe's texture is blended", .blended = true},
       {.words = "the highlight is too wide: it takes Blinn's half vector", .half_vector = true},
