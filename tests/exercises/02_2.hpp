@@ -1,19 +1,23 @@
-// Exercise 02.2: which square?
+// Exercise 02.2: a walk on the map
 //
-// Here the pattern needs no (u, v). It comes from the place (x, z) in the scene: seen from above,
-// there are squares, `size` long and wide, and one of them reaches from (0, 0) to (size, size). Two
-// colors alternate in both directions. Return true where (x, z) is in a square of the color of that
-// one. x and z can be negative. A square's lower edges, such as x = 0, belong to it.
+// An ant is at the point p of a sphere with this center and radius. It walks, and on the sphere's
+// map it goes by du to the east and by dv to the north: both are parts of the map's width and
+// height, negative to the west and to the south. So du = 1 leads once around, and dv = 1/2 from the
+// equator to the north pole. It never walks over a pole. Return the point where it arrives.
 #include "exercise.hpp"
 
-bool is_first_color(double x, double z, double size) {
+Vec3 after_walk(Vec3 p, Vec3 center, double radius, double du, double dv) {
   // solution
-  const int column = static_cast<int>(std::floor(x / size));
-  const int row = static_cast<int>(std::floor(z / size));
-  return (column + row) % 2 == 0;
-  // start: // Your lines here. x / size is the distance from x = 0, counted in squares.
-  // start: return x < size;
+  const Vec3 d = (p - center) / radius;
+  const double u = 0.5 - std::atan2(d.z, d.x) / (2 * pi) + du;
+  const double v = std::acos(std::clamp(-d.y, -1.0, 1.0)) / pi + dv;
+  const double from_axis = std::sin(pi * v);
+  const Vec3 to{-from_axis * std::cos(2 * pi * u), -std::cos(pi * v),
+                from_axis * std::sin(2 * pi * u)};
+  return center + to * radius;
+  // start: // Your lines here. p - center and p / radius are vectors.
+  // start: return {p.x + du, p.y + dv, p.z};
 }
-// hint: std::floor(x / size) is the number of the column; left of x = 0 it is -1, -2 and so on.
-// hint: One step to the side or up changes column + row by 1. n % 2 == 0: n is even.
-// hint: static_cast<int>(-0.3) is 0, and so is static_cast<int>(0.3). std::floor(-0.3) is -1.
+// hint: The formulas are for radius 1 around (0, 0, 0): begin with (p - center) / radius.
+// hint: Go from there to (u, v), add du and dv, and go back to a direction.
+// hint: The direction has length 1. Multiply it by the radius, and add the center.

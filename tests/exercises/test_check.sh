@@ -27,7 +27,7 @@ cd "$work/course"
 mv ../02_[12].hpp tests/exercises
 folder=chapters/02_checkerboard_uv/exercises
 first=$folder/1_where_on_the_map.hpp
-second=$folder/2_which_square.hpp
+second=$folder/2_a_walk_on_the_map.hpp
 
 # ./course --build PRESET PROGRAM STATUS: writes the program.
 cat >course <<'END'
@@ -77,13 +77,13 @@ holds "a start has no solution" sh -c "! grep -qE 'solution|start:|hint:|std::ac
 holds "a start has its task and lines to replace" grep -q 'return {p.x, p.y};' "$first"
 
 expect "the list begins" 0 "[ ] 02.1  where on the map?
-[ ] 02.2  which square?
+[ ] 02.2  a walk on the map
 0 of 2 right. Next: write $first, then ./course check 02.1"
 expect "a start is not right" 1 "ran --title where on the map?" 2.1
 sh "$script" solution 02.1 >"$first"
 expect "the solution is right" 0 "ran" 02.1
 expect "the list shows it" 0 "[x] 02.1  where on the map?
-[ ] 02.2  which square?
+[ ] 02.2  a walk on the map
 1 of 2 right. Next: write $second"
 echo "// one more line" >>"$first"
 expect "a change is seen" 0 "[?] 02.1"
@@ -120,7 +120,7 @@ expect "the second hint" 0 "(hint 2 of 3)" hint 2.1
 expect "the third hint" 0 "Divide by what the angles run over.
 (hint 3 of 3)" hint 02.1
 expect "the last hint stays" 0 "(hint 3 of 3)" hint 02.1
-expect "one wrong exercise of a chapter" 1 "ran --title which square?" 2
+expect "one wrong exercise of a chapter" 1 "ran --title a walk on the map" 2
 for id in 02.1 02.2; do sh "$script" solution "$id" >"$(echo $folder/"${id#*.}"_*.hpp)"; done
 expect "a chapter that is right" 0 "ran" 02
 expect "all are right" 0 "2 of 2 right.

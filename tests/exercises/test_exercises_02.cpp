@@ -21,10 +21,30 @@ TEST_CASE("02: strangers' answers get their words") {
   // Both are wrong, each in its own way.
   uv_of("by 2 pi; and v is", [](V p) { return Uv{atan2(-p.z, p.x) / pi, acos(-p.y)}; });
 
-  is_first_color("stripes", [](D x, D z, D s) { return int(floor(x / s)) % 2 != 0; });
-  is_first_color("slanted", [](D x, D z, D s) { return int(floor(x / s + z / s)) % 2 == 0; });
-  is_first_color("toward 0", [](D x, D z, D s) { return (int(x / s) + int(z / s)) % 2 == 0; });
-  is_first_color.right([](D x, D z, D s) { return sin(x / s * pi) * sin(z / s * pi) >= 0; });
+  const auto by_direction = [](const char* text, auto step) {  // on a sphere of radius 1
+    after_walk(text, [=](V p, V center, D radius, D du, D dv) {
+      return center + radius * step((p - center) / radius, du, dv);
+    });
+  };
+  after_walk("subtract the center", [](V p, V, D radius, D du, D dv) {
+    return solution_2::after_walk(p, {0, 0, 0}, radius, du, dv);
+  });
+  after_walk("for radius 1", [](V p, V center, D, D du, D dv) {
+    return solution_2::after_walk(p, center, 1, du, dv);
+  });
+  by_direction("in radians this is 2 pi", [](V d, D du, D dv) {
+    return solution_2::after_walk(d, {0, 0, 0}, 1, du / 2, dv);
+  });
+  by_direction("not with the height", [](V d, D du, D dv) {
+    const V east = solution_2::after_walk(d, {0, 0, 0}, 1, du, dv);
+    return V{east.x, d.y + 2 * dv, east.z};
+  });
+  after_walk.right([](V p, V center, D radius, D du, D dv) {  // by turns, without the map
+    const V d = p - center;
+    const D wide = std::hypot(d.x, d.z), north = atan2(d.y, wide) + pi * dv;
+    const D east = atan2(-d.z, d.x) + 2 * pi * du;
+    return center + radius * V{cos(north) * cos(east), sin(north), -cos(north) * sin(east)};
+  });
 
   const auto by_row = [](const char* text, auto row_of, auto shift) {
     as_bricks(text, [=](Uv uv, int n) {
@@ -39,6 +59,10 @@ TEST_CASE("02: strangers' answers get their words") {
       "no rounding", [](D row) { return int(row + 0.5); }, [](int n) { return 0.5 / n; });
   as_bricks("more than the one", [](Uv uv, int n) {
     return Uv{uv.u + int(uv.v * n) * 0.5 / n, uv.v};
+  });
+  as_bricks.right([](Uv uv, int n) {  // further by two squares in each row
+    const int row = int(uv.v * n);
+    return Uv{uv.u + row * 2.0 / n - (row % 2) * 1.5 / n, uv.v};
   });
   as_bricks.right([](Uv uv, int n) {  // within the map, and in float
     const float u = uv.u + std::lround(floor(uv.v * n)) % 2 / (2.F * n);

@@ -324,7 +324,7 @@ class Exercises(Case):
         tests = json.loads((self.out / 'mirrored.results.json').read_text())['tests']
         self.assertEqual([test['number'] for test in tests], ['2.E1', '2.E2'])
         self.assertIn('3 right<br>', (self.out / 'index.html').read_text())
-        self.assertIn('there is no chapters/02_checkerboard_uv/exercises/2_which_square.hpp',
+        self.assertIn('there is no chapters/02_checkerboard_uv/exercises/2_a_walk_on_the_map.hpp',
                       (self.out / 'right.html').read_text())
 
 

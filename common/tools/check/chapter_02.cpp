@@ -5,17 +5,23 @@
 #include "map_mistakes.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/mapped.hpp"
+#include "texture/uv_inverse.hpp"
 
 namespace texmap::chapter_02 {
 
 static std::function<Uv<double>(Vec3d)> uv_of;
-static std::function<bool(double, double, double)> is_first_color;
+static std::function<Vec3d(Vec3d, Vec3d, double, double, double)> after_walk;
 static std::function<Uv<double>(Uv<double>, int)> as_bricks;
 
 struct RtiowMapping {
   Uv<double> operator()(const Hit<double>& hit) const {
-    if (is_first_color) return {hit.point.x, hit.point.z};
-    return uv_of ? uv_of(hit.normal) : uv_rtiow(hit.normal);
+    if (uv_of) return uv_of(hit.normal);
+    const Uv<double> uv = uv_rtiow(hit.normal);
+    if (!after_walk) return uv;
+    // As on a sphere somewhere else: to the east, and half of the way to the equator.
+    const Vec3d center{4, -1, 2};
+    const Vec3d start = center + hit.normal * 3.0;
+    return uv_rtiow(after_walk(start, center, 3, 0.03, (0.5 - uv.v) / 2) - center);
   }
 };
 
@@ -24,7 +30,6 @@ struct Checkerboard {
   double squares = 10;
 
   Rgb operator()(const Uv<double>& uv) const {
-    if (is_first_color) return is_first_color(uv.u, uv.v, 0.75) ? even : odd;
     const Uv<double> place = as_bricks ? as_bricks(uv, int(squares)) : uv;
     return texmap::Checkerboard{even, odd, squares}(place);
   }
@@ -89,66 +94,71 @@ constexpr Place<Vec3d> uv_of_places[] = {
     {"at the north pole v is 1, also where rounding made y more than 1", {{1e-12, 1 + 0x1p-52, 0}}},
 };
 
-/// By the numbers of column and row, and what they are before the decimals are left out.
-Slips<bool> wrong_by_numbers(double c, double r, double x, double z) {
-  const auto is_even = [](double number) { return fmod(number, 2) == 0; };
+/// By what other uses of the formulas take for the direction after the walk.
+Slips<Vec3d> wrong_walks(Vec3d p, Vec3d center, double radius, double du, double dv) {
+  const auto v_of = [](double y) { return acos(clamp(-y, -1., 1.)) / pi; };
+  const auto uv = [=](const Vec3d& d) {
+    return Place2{0.5 - atan2(d.z, d.x) / (2 * pi), v_of(d.y)};
+  };
+  const auto walk = [&](const Vec3d& d, double east, double north) {
+    const auto [u, v] = uv(d);
+    return direction_rtiow(Place2{u + east, v + north});
+  };
+  const auto on = [=](const Vec3d& direction) { return center + direction * radius; };
+  const Vec3d d = (p - center) * (1 / radius);
+  const auto [u, v] = uv(d);
+  const auto from = [&](double other_u, double other_v) {
+    return on(direction_rtiow(Place2{other_u + du, other_v + dv}));
+  };
+  const Vec3d to = walk(d, du, dv), not_moved = walk(p * (1 / radius), du, dv);
+  const double wide = sin(pi * (v + dv));
   return {
-      {"these are stripes, not squares: you look at x or at z alone", {is_even(c), is_even(r)}},
-      {"ask whether the sum of column and row is even",
-       {{"their product is even too often", is_even(c * r)},
-        {"two odd numbers make an even sum, too", is_even(c) && is_even(r)},
-        {"equal column and row are the diagonal alone", c == r},
-        {"% is the remainder, / the quotient", trunc((c + r) / 2) == 0},
-        {"C++ reads a + b % 2 as a + (b % 2)", c + fmod(r, 2) == 0},
-        {"% 2 of an odd number is 1, or -1 below 0", {fmod(c + r, 2) != 1, fmod(c - r, 2) != 1}}}},
-      {"std::floor each of x / size and z / size before you add: these are slanted stripes",
-       {is_even(floor(x + z)), is_even(trunc(x + z))}},
+      {"subtract the center from p first, and add it to the place at the end",
+       {on(not_moved), to * radius, not_moved * radius, to, on(walk(p, du, dv)), walk(p, du, dv)}},
+      {"the formulas are for radius 1: divide p - center by the radius, multiply at the end",
+       {on(walk(p - center, du, dv)), center + to, center + walk(p - center, du, dv)}},
+      {"you go west: u grows to the east", on(walk(d, -du, dv))},
+      {"you go south: v grows to the north", {on(walk(d, du, -dv)), on(walk(d, -du, -dv))}},
+      {"u runs from 0 to 1 in a whole turn: in radians this is 2 pi",
+       {on(walk(d, du / 2, dv)), on(walk(d, du / (2 * pi), dv)), on(walk(d, du / 360, dv)),
+        from(0.5 - atan2(d.z, d.x) / pi, v), from(0.5 - atan2(d.z, d.x), v)}},
+      {"v runs from 0 to 1 in half a turn: in radians this is pi",
+       {on(walk(d, du, 2 * dv)), on(walk(d, du, dv / pi)), on(walk(d, du, dv / 180)),
+        from(u, acos(clamp(-d.y, -1., 1.))), from(u, v / 2)}},
+      {"at the pole acos and asin can be NaN: limit y to -1 and 1, or use atan2",
+       from(u, acos(-d.y) / pi)},
+      {"x and z lack the factor sin(pi v): your ant leaves the sphere",
+       on({-cos(2 * pi * (u + du)), -cos(pi * (v + dv)), sin(2 * pi * (u + du))})},
+      {"v grows with the angle from the south pole, and not with the height",
+       {from(u, (d.y + 1) / 2), on({to.x, d.y + 2 * dv, to.z}), on({to.x, d.y + dv, to.z}),
+        on({to.x, 2 * (v + dv) - 1, to.z})}},
+      {"std::atan sees only z / x, half of the globe: use std::atan2",
+       from(0.5 - atan(d.z / d.x) / (2 * pi), v)},
+      {"with du = dv = 0 yours is not p: one of the ways has another sign, or lacks the 1/2",
+       {from(u + 0.5, v), on({to.x, to.y, -to.z}), on({-to.x, to.y, to.z}), from(-u, v),
+        on({to.x, -to.y, to.z}), from(u, 1 - v), from(0.5 - atan2(d.x, d.z) / (2 * pi), v),
+        on({to.z, to.y, to.x}),
+        on({-wide * cos(2 * pi * (u + du)), to.y, wide * cos(2 * pi * (u + du))})}},
+      {"both du and dv belong to the walk", {on(walk(d, du, 0)), on(walk(d, 0, dv)), p}},
   };
 }
 
-Slips<bool> wrong_squares(double x, double z, double size) {
-  const auto is_even = [](double number) { return fmod(number, 2) == 0; };
-  const auto even = [&](double column, double row) { return is_even(floor(column) + floor(row)); };
-  const double c = x / size, r = z / size;  // with their decimals
-  Slips<bool> wrong = {
-      {"two squares of one color meet at x = 0: std::floor goes down, static_cast<int> toward 0",
-       {is_even(trunc(c) + trunc(r)), is_even(floor(c) + trunc(r)), is_even(trunc(c) + floor(r))}},
-      {"std::round and std::ceil move the squares: take std::floor",
-       {is_even(round(c) + round(r)), is_even(ceil(c) + ceil(r)), !is_even(ceil(c) + floor(r))}},
-      {"your squares have another size: divide by size alone",
-       {even(x, z), even(x * size, z * size), even(2 * c, 2 * r), even(c / 2, r / 2)}},
-      {"leave out the decimals of the quotient: x / size comes first",
-       {even(floor(x) / size, floor(z) / size), even(trunc(x) / size, trunc(z) / size)}},
-      wrong_by_numbers(floor(c), floor(r), c, r),
-      wrong_by_numbers(trunc(c), trunc(r), c, r),
-  };
-  return {
-      wrong,
-      {"the two colors are exchanged", !even(c, r)},
-      changed(wrong, [](bool first) { return !first; }),
-  };
+Vec3d right_walk(Vec3d p, Vec3d center, double radius, double du, double dv) {
+  const Place2 uv = uv_rtiow(p - center);
+  return center + direction_rtiow(Place2{uv.u + du, uv.v + dv}) * radius;
 }
-
-bool right_color(double x, double z, double size) {
-  return fmod(floor(x / size) + floor(z / size), 2) == 0;
-}
-constexpr Place<double, double, double> is_first_color_places[] = {
-    {"with size 1, (0.3, 0.6) is in the square that begins at (0, 0)", {0.3, 0.6, 1}},
-    {"with size 1, (1.3, 0.6) has the other color", {1.3, 0.6, 1}},
-    {"with size 1, (0.3, 1.6) has the other color", {0.3, 1.6, 1}},
-    {"with size 1, (1.3, 1.6) has the first color", {1.3, 1.6, 1}},
-    {"with size 1, (5.2, 0.6) has the other color", {5.2, 0.6, 1}},
-    {"with size 1, (2.3, 0.6) has the first color", {2.3, 0.6, 1}},
-    {"with size 2, (1.3, 0.2) has the first color", {1.3, 0.2, 2}},
-    {"with size 0.5, (0.3, 0.6) has the other color", {0.3, 0.6, 0.5}},
-    {"with size 1, (-0.3, 0.6) has the other color: it is left of x = 0", {-0.3, 0.6, 1}},
-    {"with size 1, (-1, 0.6) has the other color: a lower edge belongs to it", {-1, 0.6, 1}},
-    {"with size 1, (0.3, -0.6) has the other color", {0.3, -0.6, 1}},
-    {"with size 1, (-0.3, -0.6) has the first color", {-0.3, -0.6, 1}},
-    {"with size 1, (-1.4, 0.2) has the first color", {-1.4, 0.2, 1}},
-    {"with size 0.75, (-3.5, 2.6)", {-3.5, 2.6, 0.75}},
-    {"with size 3, (-10, -2)", {-10, -2, 3}},
-    {"on the edge x = 0 the square that begins there counts", {0, 0.5, 1}},
+constexpr Vec3d zero{0, 0, 0}, off{1, 2, 3};
+constexpr Place<Vec3d, Vec3d, double, double, double> after_walk_places[] = {
+    {"from +x, a quarter of the map to the east is -z", {{1, 0, 0}, zero, 1, 0.25, 0}},
+    {"from +x, a quarter of it to the north is 45 degrees", {{1, 0, 0}, zero, 1, 0, 0.25}},
+    {"with the radius 2, from (2, 0, 0) to (0, 0, -2)", {{2, 0, 0}, zero, 2, 0.25, 0}},
+    {"around (1, 2, 3), from (3, 2, 3) to (1, 2, 1)", {{3, 2, 3}, off, 2, 0.25, 0}},
+    {"from +z, 1/2 to the west is -z, across the seam", {{0, 0, 1}, zero, 1, -0.5, 0}},
+    {"from 45 degrees north of -z to 45 south of -x",
+     {{0, half_root, -half_root}, zero, 1, 0.25, -0.5}},
+    {"around (4, -1, 2), radius 3, from (2, 0, 4)", {{2, 0, 4}, {4, -1, 2}, 3, 0.1, 0.2}},
+    {"the north pole stays, also where rounding made y more than 1",
+     {{1e-12, 1 + 0x1p-52, 0}, zero, 1, 0.25, 0}},
 };
 
 Place2 right_bricks(Place2 uv, int squares) {
@@ -186,8 +196,10 @@ Slips<Place2> wrong_bricks(Place2 uv, int squares) {
   };
 }
 
-/// The pattern is the same one turn further.
-Place2 within_a_turn(const Place2& uv) { return {fraction(uv.u), uv.v}; }
+/// The pattern is the same two squares further.
+Place2 within_two_squares(const Place2& uv, Place2 /*from*/, int squares) {
+  return {fraction(uv.u * squares / 2), uv.v};
+}
 constexpr Place<Place2, int> as_bricks_places[] = {
     {"with 10 squares, (0.32, 0.05) is in row 0: it stays as it is", {{0.32, 0.05}, 10}},
     {"(0.32, 0.13) is in row 1: half a brick is 0.05, and u becomes 0.37", {{0.32, 0.13}, 10}},
@@ -206,10 +218,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "02",
       {exercise(chapter_02::uv_of, picture<Lesson>(), {right_place, wrong_places, uv_of_places}),
-       exercise(is_first_color, picture<Lesson>(),
-                {right_color, wrong_squares, is_first_color_places}),
+       exercise(after_walk, picture<Lesson>(), {right_walk, wrong_walks, after_walk_places}),
        exercise(as_bricks, picture<Lesson>({}, 22),
-                {right_bricks, wrong_bricks, as_bricks_places, within_a_turn})},
+                {right_bricks, wrong_bricks, as_bricks_places, within_two_squares})},
       {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
         [] { return acos(0.5) / radian; },

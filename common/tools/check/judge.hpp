@@ -147,8 +147,8 @@ struct Law {
   std::function<Out(Args...)> right;
   std::function<Slips<Out>(Args...)> slips;
   std::span<const Place<std::decay_t<Args>...>> places;
-  std::function<Out(const Out&)> seen{};  ///< what of a value counts; empty: all of it
-  std::function<int(Args...)> count{};    ///< how many there are, where the value numbers one
+  std::function<Out(const Out&, Args...)> seen{};  ///< what of a value counts; empty: all of it
+  std::function<int(Args...)> count{};  ///< how many there are, where the value numbers one
 };
 
 /// A verdict in words.
@@ -296,7 +296,10 @@ template <class Out, class... Args>
 [[nodiscard]] Verdict judge(const Law<Out, Args...>& law, const std::vector<Out>& values) {
   Verdict verdict;
   verdict.places = values.size();
-  const auto seen = [&law](const Out& value) { return law.seen ? law.seen(value) : value; };
+  const auto seen = [&law](const Out& value, std::size_t place) {
+    const auto at = [&](const auto&... in) { return law.seen(value, in...); };
+    return law.seen ? std::apply(at, law.places[place].at) : value;
+  };
   std::vector<Out> all_right, yours;
   Slips<Out> of_parts;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -304,8 +307,8 @@ template <class Out, class... Args>
     verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
     const Out right = std::apply(law.right, law.places[i].at);
     if constexpr (!std::is_arithmetic_v<Out>) add_place(of_parts, slips_of_parts(right));
-    all_right.push_back(seen(right));
-    yours.push_back(seen(value));
+    all_right.push_back(seen(right, i));
+    yours.push_back(seen(value, i));
     if (alike<Out>(all_right.back(), yours.back())) continue;
     if (verdict.right) {
       verdict.right = false;
@@ -327,7 +330,7 @@ template <class Out, class... Args>
   Slips<Out> known = slips_at_all_places(law);
   known += of_parts;
   for (Slip<Out>& slip : known.rows)
-    std::transform(slip.values.begin(), slip.values.end(), slip.values.begin(), seen);
+    for (std::size_t i = 0; i < values.size(); ++i) slip.values[i] = seen(slip.values[i], i);
   for (const Slip<Out>& slip : known.rows) {
     if (!std::equal(yours.begin(), yours.end(), slip.values.begin(), alike<Out>)) continue;
     verdict.mistake = slip.word;
