@@ -1,20 +1,22 @@
-// Exercise 04.1: another convention
+// Exercise 04.1: any convention
 //
-// A picture was made for the convention of the daily exercise:
-//   u grows from east to west: 1/4 on -z, 1/2 on +x, 3/4 on +z; the seam is on -x.
-//   v grows from north to south: 0 at the north pole +y, 1/2 on the equator, 1 at the south pole.
-// p is a point of the unit sphere around the origin. Return its u and v in this convention.
+// A convention answers three questions. `seam` is the point of the equator where u is 0. u grows to
+// the east if u_to_east is true, otherwise to the west. v grows to the north, from 0 to 1, if
+// v_to_north is true, otherwise to the south. p is a point of the unit sphere around the origin.
+// Return its u and v in this convention. u is 0 or more and less than 1.
 #include "exercise.hpp"
 
-Uv uv_of(Vec3 p) {
+Uv uv_in(Vec3 p, Vec3 seam, bool u_to_east, bool v_to_north) {
   // solution
-  const double u = 0.5 + std::atan2(p.z, p.x) / (2 * pi);
-  const double v = std::acos(std::clamp(p.y, -1.0, 1.0)) / pi;
-  return {u, v};
-  // start: // This is the convention of chapter 02. Two signs are different here.
+  const double east = std::atan2(-p.z, p.x) - std::atan2(-seam.z, seam.x);
+  const double turns = (u_to_east ? east : -east) / (2 * pi);
+  const double from_south = std::acos(std::clamp(-p.y, -1.0, 1.0)) / pi;
+  return {turns - std::floor(turns), v_to_north ? from_south : 1 - from_south};
+  // start: // This is right for one convention, that of chapter 02.
   // start: const double u = 0.5 + std::atan2(-p.z, p.x) / (2 * pi);
   // start: const double v = std::acos(std::clamp(-p.y, -1.0, 1.0)) / pi;
   // start: return {u, v};
 }
-// hint: Chapter 02's u grows to the east because of the minus in -p.z.
-// hint: std::acos(-p.y) is the angle from the south pole. Which one is the angle from the north?
+// hint: How far to the east of the seam is p? Both have a longitude: std::atan2(-p.z, p.x).
+// hint: To the west u is the opposite, -u. A whole turn more or less is the same meridian.
+// hint: x - std::floor(x) is x without whole turns, also below 0: std::floor(-0.25) is -1.

@@ -1,15 +1,19 @@
-// Exercise 04.2: from one convention to another
+// Exercise 04.2: the columns of another program
 //
-// In the course's convention (rtiow), u is 0 on -x and 1/4 on +z. In the lecture's, u is 0 on +z
-// and grows to the east, too. Return the lecture's u for the course's u. Both are at least 0 and
-// less than 1.
+// A picture was made for the lecture's convention: u is 0 on +z and grows to the east. It is to be
+// written anew for a program with the daily exercise's convention: u is 0 on -x and grows to the
+// west. Both pictures have `width` columns of texels, a multiple of 4, numbered from 0 on the left:
+// column k reaches from u = k / width to u = (k + 1) / width.
+// Return the column of the old picture that belongs into this column of the new one.
 #include "exercise.hpp"
 
-double lecture_u(double u) {
+int old_column(int column, int width) {
   // solution
-  return u < 0.25 ? u + 0.75 : u - 0.25;
+  const int to_the_east = width - 1 - column;  // counted from -x to the east
+  return (to_the_east + width - width / 4) % width;
   // start: // Your lines here.
-  // start: return u;
+  // start: return column;
 }
-// hint: The point +z has the course's u = 1/4 and the lecture's u = 0.
-// hint: u - 0.25 is less than 0 for the first quarter. A whole turn more is the same meridian.
+// hint: Draw 8 columns around the globe, seen from above, and number them in both ways.
+// hint: Which column is the new column 0, if you count from -x to the east? It is the last one.
+// hint: +z is a quarter of the columns east of -x. Left of column 0 the last one follows.

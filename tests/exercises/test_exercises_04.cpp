@@ -1,28 +1,46 @@
 // The exercises of chapter 04, and what strangers write for them.
-#include "published/uv.hpp"
 #include "solutions/04.hpp"
 
 const std::vector<double> texmap::test::answers{0.25, 0.65};
 
 TEST_CASE("04: strangers' answers get their words") {
-  // The daily exercise's own formula normalizes its point first, so it is right at the pole.
-  uv_of.right([](V p) { return texmap::published::uv_daily(p); });
-  const auto by_u = [](const char* text, auto u_of) {  // v is one that the judge's tables have not
-    uv_of(text, [=](V p) { return Uv{u_of(p), 0.5 - asin(p.y) / pi}; });
-  };
-  by_u("beyond 1", [](V p) { return 0.5 + atan2(p.z, p.x) / (2 * pi); });
-  by_u("arguments of atan2", [](V p) { return 0.5 + atan2(-p.x, p.z) / (2 * pi); });
-  by_u("between x and z", [](V p) { return 0.5 + atan2(p.z, p.y) / (2 * pi); });
-  by_u("goes around twice", [](V p) { return 0.5 + atan2(p.z, p.x) / pi; });
+  using solution_1::uv_in;
+  ::uv_in("subtract the longitude of the seam", [](V p, V, bool east, bool north) {
+    return uv_in(p, {1, 0, 0}, east, north);
+  });
+  ::uv_in("whole turns", [](V p, V seam, bool east, bool north) {
+    const D turns = (atan2(p.z, p.x) - atan2(seam.z, seam.x)) / (2 * pi);
+    return Uv{east ? -turns : turns, uv_in(p, seam, east, north).v};
+  });
+  ::uv_in("turn the longitudes around", [](V p, V seam, bool east, bool north) {
+    const Uv uv = uv_in(p, seam, true, true);
+    return Uv{east ? uv.u : 1 - uv.u, north ? uv.v : 1 - uv.v};
+  });
+  ::uv_in("v_to_north says",
+          [](V p, V seam, bool east, bool north) { return uv_in(p, seam, east, true); });
+  ::uv_in.right([](V p, V seam, bool east, bool north) {  // by the angle from the seam
+    const D across = east ? cross(seam, p).y : cross(p, seam).y;
+    const D turns = atan2(across, seam.x * p.x + seam.z * p.z) / (2 * pi);
+    const D v = atan2(std::hypot(p.x, p.z), north ? -p.y : p.y) / pi;
+    return Uv{turns < 0 ? turns + 1 : turns, v};
+  });
 
-  lecture_u.right([](D u) { return u + 0.75 - floor(u + 0.75); });
-  lecture_u("1 / 4 is 0", [](D u) { return fmod(u + 3 / 4, 1.0); });
-  lecture_u("not <=", [](D u) { return u > 0.25 ? u - 0.25 : u + 0.75; });
-  lecture_u("turns the other way", [](D u) { return u > 0.75 ? u - 0.75 : u + 0.25; });
-  lecture_u("runs the other way", [](D u) { return u > 0.25 ? 1.25 - u : 0.25 - u; });
-  lecture_u("a quarter of a turn is 0.25", [](D u) { return u - pi / 2; });
+  old_column("one too far right", [](int c, int w) { return (2 * w - c - w / 4) % w; });
+  old_column("add width there", [](int c, int w) { return w - 1 - c - w / 4; });
+  old_column("turned around", [](int c, int w) { return (c + w / 4) % w; });
+  old_column.right([](int c, int w) {
+    const D u = 0.75 - (c + 0.5) / w;
+    return int(floor((u - floor(u)) * w));
+  });
 
-  is_mirrored("north alone", [](Uv o, Uv e, Uv n) { return n.v < o.v; });
-  is_mirrored("always true", [](Uv o, Uv e, Uv n) { return e.u != o.u || e.v != o.v; });
-  is_mirrored("not added", [](Uv o, Uv e, Uv n) { return e.u - o.u + n.v - o.v < 0; });
+  using solution_3::is_mirrored;
+  ::is_mirrored("grow downward", [](V a, V b, V c, Uv p, Uv q, Uv r, bool) {
+    return is_mirrored(a, b, c, p, q, r, true);
+  });
+  ::is_mirrored("run clockwise", [](V a, V b, V c, Uv p, Uv q, Uv r, bool up) {
+    return is_mirrored({}, {1, 0, 0}, {0, 1, 0}, p, q, r, up);
+  });
+  ::is_mirrored("these are places", [](V a, V b, V c, Uv p, Uv q, Uv r, bool up) {
+    return is_mirrored({}, b, c, {}, q, r, up);
+  });
 }

@@ -1,15 +1,15 @@
 // Exercise 04.3: is it mirrored?
 //
-// here is the place in the picture of a point of the globe: u to the right, v upward. east and
-// north are the places of two points next to it, a small step to the east and a small step to the
-// north. Return true if letters in the picture are mirrored on the globe. A picture that is only
-// turned is not mirrored. To draw the globe, the program takes 1 - u in place of u where you return
-// true: if your function is right, all letters on the globe can be read.
+// a, b and c are three points of a globe as you see them: x to the right, y upward; z does not
+// count. uv_a, uv_b and uv_c are their texture coordinates. On the printed picture u grows to the
+// right; v grows upward if v_upward is true, otherwise downward. Return true if its letters are
+// mirrored on the globe. Letters that are only turned or slanted are not mirrored. To draw the
+// globe, the program takes 1 - u in place of u where you return true.
 //
 // Check it:  ./course check 04.3
 #include "exercise.hpp"
 
-bool is_mirrored(Uv here, Uv east, Uv north) {
+bool is_mirrored(Vec3 a, Vec3 b, Vec3 c, Uv uv_a, Uv uv_b, Uv uv_c, bool v_upward) {
   // Your lines here.
   return false;
 }

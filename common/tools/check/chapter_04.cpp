@@ -1,37 +1,32 @@
 // The exercises of chapter 04. The lesson is the chapter's own. Its ConventionMapping is this one
 // here, which calls the student's functions.
 #include "exercises.hpp"
-#include "map_mistakes.hpp"
-#include "published/uv.hpp"
 #include "texture/conventions.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::chapter_04 {
 
-static std::function<Uv<double>(Vec3d)> uv_of;
-static std::function<double(double)> lecture_u;
-static std::function<bool(Uv<double>, Uv<double>, Uv<double>)> is_mirrored;
+static std::function<Uv<double>(Vec3d, Vec3d, bool, bool)> uv_in;
+static std::function<int(int, int)> old_column;
+static std::function<bool(Vec3d, Vec3d, Vec3d, Uv<double>, Uv<double>, Uv<double>, bool)>
+    is_mirrored;
 
-/// Whether the student's function calls this convention mirrored. It gets the (u, v) of one point
-/// that the picture shows, and of two neighbors.
+/// Whether the student's function calls this convention mirrored. It gets a point that the picture
+/// shows and its neighbors to the east and to the north.
 static bool mirrors(Convention convention) {
   constexpr double step = 0.01;
   const auto place = [=](double u, double v) {
-    const Uv<double> uv = texmap::uv_of(convention, direction_rtiow(Uv<double>{u, v}));
-    return Uv<double>{uv.u, v_axis_of(convention) == VAxis::up ? uv.v : 1 - uv.v};
+    return texmap::uv_of(convention, direction_rtiow(Uv<double>{u, v}));
   };
-  return is_mirrored(place(0.3, 0.6), place(0.3 + step, 0.6), place(0.3, 0.6 + step));
+  return is_mirrored({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, place(0.3, 0.6), place(0.3 + step, 0.6),
+                     place(0.3, 0.6 + step), v_axis_of(convention) == VAxis::up);
 }
 
 struct ConventionMapping {
   Convention convention = Convention::rtiow;
 
   Uv<double> operator()(const Vec3d& p) const {
-    if (uv_of) return uv_of(p);
-    if (lecture_u) {
-      const Uv<double> uv = uv_rtiow(p);
-      return {lecture_u(uv.u), uv.v};
-    }
+    if (uv_in) return uv_in(p, {0, 0, 1}, false, false);
     const Uv<double> uv = texmap::uv_of(convention, p);
     return is_mirrored && mirrors(convention) ? Uv<double>{1 - uv.u, uv.v} : uv;
   }
@@ -50,145 +45,201 @@ namespace {
 
 using namespace chapter_04;
 
-constexpr double turn = 2 * pi;
-
-/// Draws the globe from near by, in this convention.
-std::function<Image()> globe_in(const char* convention, const char* texture = "earth.png") {
-  return picture<Lesson>({"--convention", convention, "--texture", texture}, 18);
+/// The daily exercise's globe from near by.
+Image daily_globe(const Lesson& lesson) { return picture_of(lesson, 18); }
+Lesson daily_lesson(const char* texture) {
+  return prepared<Lesson>({"--convention", "daily", "--texture", texture});
 }
 
-Slips<Place2> wrong_places(Vec3d p) {
-  const double u = 0.5 + atan2(p.z, p.x) / turn;
-  Slips<Place2> wrong;
-  // Those who make another mistake often forget to limit y, too.
-  for (const double y : {clamp(p.y, -1.0, 1.0), p.y}) {
-    const double v = 0.5 - asin(y) / (turn / 2);
-    wrong += {
-        {"u runs east: here it has to run west; the sign of z says which way", {1 - u, v}},
-        {"v runs up: here it has to run down from the north pole", {u, 1 - v}},
-        {"u runs east and v runs up: this is the convention of chapter 02", {1 - u, 1 - v}},
-    };
+Slips<Place2> wrong_places(Vec3d p, Vec3d seam, bool to_east, bool to_north) {
+  const double of_p = atan2(-p.z, p.x) / (2 * pi), of_seam = atan2(-seam.z, seam.x) / (2 * pi);
+  const double turns = (to_east ? 1 : -1) * (of_p - of_seam), u = fraction(turns);
+  const double south = acos(clamp(-p.y, -1., 1.)), up = south / pi, v = to_north ? up : 1 - up;
+  const auto one_way = [=](double east) { return fraction(to_east ? east : -east); };
+  const Slips<double> us = {
+      {"u must be 0 at the seam: subtract the longitude of the seam",
+       {one_way(of_p), 0.5 + of_p, fraction(0.5 + of_p), one_way(0.5 + of_p), of_p,
+        0.5 + (to_east ? of_p : -of_p)}},
+      {"the seam's longitude has the wrong sign, or only one of the two is turned to the west",
+       {one_way(of_p + of_seam), fraction((to_east ? of_p : -of_p) - of_seam)}},
+      {"without its whole turns u is 0 to 1: subtract std::floor, as below 0 it must go up",
+       {turns, fmod(turns, 1), turns + 1, abs(turns), abs(fmod(turns, 1)), clamp(turns, 0., 1.)}},
+      {"u = 1 is the seam, where u must be 0: turn the longitudes around, not u at the end",
+       to_east ? u : 1 - fraction(-turns)},
+      {"u runs the other way: std::atan2(-p.z, p.x), with z first, grows to the east",
+       fraction(-turns)},
+      {"u_to_east says which way u grows", {fraction(of_p - of_seam), fraction(of_seam - of_p)}},
+      {"the longitude is in radians: divide it by 2 pi",
+       {fraction(2 * pi * turns), 2 * pi * turns, 2 * pi * u, fraction(2 * turns), 2 * u}},
+  };
+  const Slips<double> vs = {
+      {"v runs the other way: std::acos(-p.y) is the angle from the south pole", 1 - v},
+      {"v_to_north says which way v grows", {up, 1 - up}},
+      {"v is the angle, and a part of 1: std::acos(-p.y) / pi",
+       {to_north ? south : 1 - south, to_north ? (p.y + 1) / 2 : (1 - p.y) / 2,
+        to_north ? south : pi - south, to_north ? up / 2 : 1 - up / 2}},
+      {"at the pole acos and asin can be NaN: limit y to -1 and 1",
+       (to_north ? acos(-p.y) : acos(p.y)) / pi},
+  };
+  return {changed(us,
+                  [=](double wrong) {
+                    return Place2{wrong, v};
+                  }),
+          changed(vs, [=](double wrong) {
+            return Place2{u, wrong};
+          })};
+}
+
+Place2 right_place(const Vec3d& p, Vec3d seam, bool to_east, bool to_north) {
+  const double east = fraction(uv_rtiow(p).u - uv_rtiow(seam).u), v = uv_rtiow(p).v;
+  return {to_east ? east : fraction(-east), to_north ? v : 1 - v};
+}
+constexpr Vec3d x_axis{1, 0, 0}, date_line{-1, 0, 0}, z_axis{0, 0, 1}, oblique{0.6, 0, -0.8};
+constexpr Place<Vec3d, Vec3d, bool, bool> uv_in_places[] = {
+    {"seam on -x, u east, v north: on +z, u is 1/4", {z_axis, date_line, true, true}},
+    {"seam on -x, u west, v north: on +z, u is 3/4", {z_axis, date_line, false, true}},
+    {"seam on +z, u east: on +x, u is 1/4", {x_axis, z_axis, true, true}},
+    {"seam on +x, u east: on +z, u is 3/4", {z_axis, x_axis, true, false}},
+    {"on the seam u is 0, not 1", {date_line, date_line, false, true}},
+    {"v south: 45 degrees north of +x, v is 1/4", {{half_root, half_root, 0}, z_axis, true, false}},
+    {"v north: there v is 3/4", {{half_root, half_root, 0}, z_axis, false, true}},
+    {"seam on (0.6, 0, -0.8), u east, v north", {{-2. / 3, 1. / 3, 2. / 3}, oblique, true, true}},
+    {"the same, u west, v south", {{-2. / 3, 1. / 3, 2. / 3}, oblique, false, false}},
+    {"v south: at the north pole v is 0, also where rounding made y more than 1",
+     {{1e-12, 1 + 0x1p-52, 0}, x_axis, true, false}},
+};
+
+/// The globe with the lecture's picture, whose columns the student moves.
+Image globe_of_columns() {
+  Lesson lesson = daily_lesson("earth.png");
+  Image& made = std::get<Textured>(lesson.objects[middle].paint).texture.wrapped.texture.image;
+  const Image earth = made;
+  for (int column = 0; column < made.width; ++column) {
+    const int old = old_column(column, made.width);
+    for (int row = 0; row < made.height; ++row) {
+      made.at(column, row) = old < 0 || old >= made.width
+                                 ? Rgb8{255, 0, 255}
+                                 : earth.at((old + made.width / 4) % made.width, row);
+    }
   }
-  wrong += {{"acos and asin give NaN for a y beyond 1, at the pole: limit y to -1 and 1 first",
-             {u, 0.5 - asin(p.y) / (turn / 2)}}};
-  return wrong += map_slips({p.x, -p.y, -p.z}, {from_half, from_0}, wrong_halves);
+  return daily_globe(lesson);
 }
 
-Place2 right_place(const Vec3d& p) { return texmap::uv_of(Convention::daily, p); }
-constexpr Place<Vec3d> uv_of_places[] = {
-    {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-    {"on +z, u is 3/4", {{0, 0, 1}}},
-    {"on -z, u is 1/4", {{0, 0, -1}}},
-    {"45 degrees north of +x, v is 1/4", {{half_root, half_root, 0}}},
-    {"45 degrees south of +x, v is 3/4", {{half_root, -half_root, 0}}},
-    {"halfway between +x and +z, u is 5/8", {{half_root, 0, half_root}}},
-    {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
-    {"at the north pole v is 0, also where rounding made y more than 1", {{1e-12, 1 + 0x1p-52, 0}}},
+Slips<int> wrong_columns(int column, int w) {
+  const int quarter = w / 4, east = w - 1 - column;
+  const auto within = [=](int x) { return (x % w + w) % w; };
+  return {
+      {"column 0 of one is the last column, width - 1, of the other: you are one too far right",
+       {within(w - column - quarter), within(w - column), w - column - quarter}},
+      {"you are one too far left: columns are numbered from 0", within(east - quarter - 1)},
+      {"left of column 0 is the last column again: add width there",
+       {east - quarter, (east - quarter) % w, abs(east - quarter), max(east - quarter, 0)}},
+      {"the quarter has the wrong sign: +z lies to the east of -x, so fewer columns are between",
+       {within(east + quarter), east + quarter, min(east + quarter, w - 1)}},
+      {"one picture runs east and the other west: the order of the columns is turned around",
+       {within(column - quarter), within(column + quarter), column - quarter, column + quarter}},
+      {"the order is right, but the two begin a quarter of the columns apart: width / 4", east},
+      {"they begin a quarter apart, not half of the columns",
+       {within(east - w / 2), within(column + w / 2)}},
+      {"2048 columns are one width among others",
+       {within(east - 512), within(2047 - column - 512)}},
+  };
+}
+
+int right_column(int column, int width) {
+  const Place2 middle_of{(column + 0.5) / width, 0.5};
+  const double rtiow = in_convention(Convention::daily, middle_of).u;  // it undoes itself
+  return int(in_convention(Convention::lecture, Place2{rtiow, 0.5}).u * width);
+}
+constexpr Place<int, int> old_column_places[] = {
+    {"of 8 columns, the new column 0 begins at -x: it is the old column 5", {0, 8}},
+    {"of 8 columns, the new column 1 is the old column 4", {1, 8}},
+    {"of 8 columns, the new column 5 ends at +z: it is the old column 0", {5, 8}},
+    {"of 8 columns, the new column 6 is the old column 7", {6, 8}},
+    {"of 8 columns, the new column 7 is the old column 6", {7, 8}},
+    {"of 12 columns, the new column 3 is the old column 5", {3, 12}},
+    {"of 4 columns, the new column 3 is the old column 3", {3, 4}},
+    {"of 2048 columns, the new column 0 is the old column 1535", {0, 2048}},
+    {"of 2048 columns, the new column 1800 is the old column 1783", {1800, 2048}},
 };
 
-Slips<double> wrong_quarters(double u) {
-  const bool q1 = u < 0.25;  // the first quarter
-  const double lo = u - 0.25, hi = u + 0.75;
-  const auto in_q1 = [=](double value) { return q1 ? value : lo; };
-  const auto less = [=](double quarter, double whole) {
-    return u - quarter + (u < quarter ? whole : 0);
+/// The corners of a triangle: as one sees them, or of the texture.
+using Corners = std::array<Place2, 3>;
+double area(const Corners& c) {
+  return (c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[2].u - c[0].u) * (c[1].v - c[0].v);
+}
+
+Slips<bool> wrong_mirrors(Vec3d a, Vec3d b, Vec3d c, Place2 uv_a, Place2 uv_b, Place2 uv_c,
+                          bool up) {
+  const Corners seen{{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}}, texture{uv_a, uv_b, uv_c};
+  const double sign = up ? 1 : -1;
+  /// By another formula in place of the determinant, with the right v and with v always upward.
+  const auto by = [=](auto of) {
+    const double product = of(seen) * of(texture);
+    return std::vector<bool>{sign * product < 0, product < 0};
   };
+  const double right = sign * area(seen) * area(texture);
   return {
-      {"below 0 a whole turn is missing: add 1 there (std::fmod does not)", lo},
-      {"from 1 on a whole turn is too much: subtract 1 there", hi},
-      {"this turns the other way: +z has to get u = 0, not 1/2",
-       {fraction(u + 0.25), u > 0.75 ? u - 0.75 : u + 0.25, u + 0.25, u - 0.75}},
-      {"subtract 0.25, and where that is below 0 add 1 (in C++ 1 / 4 is 0)",
-       {{"at u = 1/4 you give 1, and that is 0, so not <=", u <= 0.25 ? hi : lo},
-        {"the two cases are exchanged", q1 ? lo : hi},
-        {"u stays as it was, in a part or in all of the turn", {u, q1 ? hi : u, q1 ? u : lo}},
-        {"you multiply or divide", {u * 0.25, u * 4}}}},
-      {"where u - 1/4 is negative, add a whole turn, 1, to it",
-       {{"you reflect there by the absolute value", abs(lo)},
-        {"you cut off at 0, or at 1", {max(lo, 0.0), min(hi, 1.0)}},
-        {"radians and degrees are no turns", {in_q1(lo + turn), in_q1(lo + 360)}},
-        {"yours is another number",
-         {in_q1(u + 1), in_q1(u + 0.25), in_q1(u + 0.5), in_q1(0.75), in_q1(1), in_q1(0.75 - u),
-          in_q1(1 - u), in_q1(1 - lo)}}}},
-      {"u is in turns: a quarter of a turn is 0.25",
-       {less(turn / 4, 0), less(turn / 4, 1), less(turn / 4, turn), less(90, 0), less(90, 1),
-        less(90, 360)}},
-      {"they differ by a quarter of a turn, not by half", {fraction(u + 0.5), u - 0.5, u + 0.5}},
-      {"u runs the other way: both conventions run east",
-       {fraction(-lo), -lo, 1 - lo, fraction(0.75 - u), 0.75 - u, fraction(1 - u), 1 - u}},
+      {"v can grow downward on the print: there the determinant of (u, v) has the other sign",
+       right * sign < 0},
+      {"yes and no are exchanged, or v_upward is: opposite signs mean mirrored", right > 0},
+      {"this is never true: mirrored is where two determinants have different signs", false},
+      {"this is always true: mirrored is where two determinants have different signs", true},
+      {"a, b and c can run clockwise where you see them: compare with their own determinant",
+       {sign * area(texture) < 0, area(texture) < 0}},
+      {"this looks at the globe alone: compare with the determinant of (u, v)",
+       {area(seen) < 0, sign * area(seen) < 0}},
+      {"these are places: subtract the first from the second and from the third",
+       by([](const Corners& p) { return p[1].u * p[2].v - p[2].u * p[1].v; })},
+      {"the determinant has two products, one minus the other: half of it is wrong if turned",
+       by([](const Corners& p) { return (p[1].u - p[0].u) * (p[2].v - p[0].v); })},
+      {"the second product is subtracted, not added", by([](const Corners& p) {
+         return (p[1].u - p[0].u) * (p[2].v - p[0].v) + (p[2].u - p[0].u) * (p[1].v - p[0].v);
+       })},
+      {"one step alone does not say it: the letters may be turned",
+       by([](const Corners& p) { return p[1].u - p[0].u; })},
   };
 }
 
-double right_u(double u) { return in_convention(Convention::lecture, Place2{u, 0.5}).u; }
-constexpr Place<double> lecture_u_places[] = {
-    {"on +z, u goes from 1/4 to 0", {0.25}},   {"on +x, u goes from 1/2 to 1/4", {0.5}},
-    {"on -z, u goes from 3/4 to 1/2", {0.75}}, {"on -x, u goes from 0 to 3/4", {0.0}},
-    {"u = 0.1 becomes 0.85", {0.1}},           {"u = 0.95 becomes 0.7", {0.95}},
-};
-
-/// Whether each number is below 0, which means mirrored for a determinant; and above 0, as those
-/// ask who have exchanged yes and no, too.
-std::vector<bool> signs(std::initializer_list<double> numbers) {
-  std::vector<bool> mirrored;
-  for (const double x : numbers) mirrored.insert(mirrored.end(), {x < 0, 0 < x});
-  return mirrored;
+/// Whether the way around the corners turns the same way on the globe and on the print.
+bool right_mirrored(Vec3d a, Vec3d b, Vec3d c, Place2 uv_a, Place2 uv_b, Place2 uv_c, bool up) {
+  const auto printed = [=](Place2 uv) { return Vec3d{uv.u, up ? uv.v : -uv.v, 0}; };
+  return (cross(b - a, c - a).z < 0) !=
+         (cross(printed(uv_b) - printed(uv_a), printed(uv_c) - printed(uv_a)).z < 0);
 }
 
-Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
-  const double u_e = east.u - here.u, v_e = east.v - here.v;
-  const double u_n = north.u - here.u, v_n = north.v - here.v;
-  const double product = u_e * v_n;
-  return {
-      {"only a negative determinant means mirrored",
-       {{"this is never true, perhaps of products as int", false},
-        {"this is always true", true},
-        {"yes and no are exchanged", product > u_n * v_e}}},
-      {"you look at the step to the east or north alone: the other can turn, too",
-       signs({u_e, v_n})},
-      {"multiply the signs, as it is mirrored if one of the two steps is turned around",
-       {{"two signs make half a turn, no mirror", {u_e < 0 || v_n < 0, 0 < u_e || 0 < v_n}},
-        {"you ask for both or none", {u_e > 0 && v_n > 0, u_e < 0 && v_n < 0}},
-        {"you ask for one of them alone",
-         {u_e < 0 && v_n > 0, u_e >= 0 || v_n <= 0, u_e > 0 && v_n < 0, u_e <= 0 || v_n >= 0}},
-        {"the signs are not added", u_e + v_n < 0}}},
-      {"the determinant is u_e * v_n - u_n * v_e",
-       {{"right unless the picture is slanted or turned by a quarter", product < 0},
-        {"yes and no are exchanged, and half of it is missing", {product > 0, product >= 0}},
-        {"a product of 0 says that the picture is turned by a quarter", product <= 0},
-        {"the second product is subtracted", signs({product + u_n * v_e})},
-        {"this is half of it alone", signs({-u_n * v_e})},
-        {"this is the dot product", signs({u_e * u_n + v_e * v_n})},
-        {"yours has other factors", signs({u_e * u_n, v_e * v_n, u_e * u_n - v_e * v_n,
-                                           u_e * v_e - u_n * v_n, product - u_n * v_n})}}},
-      {"if nothing is turned, a step to the east moves u, one to the north v", signs({v_e, u_n})},
-      {"angles begin again at 360 degrees: two of them do not say on which side north is",
-       {atan2(v_n, u_n) < atan2(v_e, u_e)}},
-      // Those who do not subtract `here` from both do so from none or from one.
-      {"these are places, not steps: subtract here from east and from north first",
-       signs({east.u * north.v - north.u * east.v, u_e * north.v - north.u * v_e,
-              u_e * north.v + north.u * v_e, east.u * v_n - u_n * east.v,
-              east.u * v_n + u_n * east.v})},
-  };
+/// Steps from a to b and to c as one sees them, from (0.3, 0.2); and of (u, v), in hundredths.
+constexpr std::tuple<Vec3d, Vec3d, Vec3d, Place2, Place2, Place2, bool> steps(
+    Place2 to_b, Place2 to_c, Place2 uv_to_b, Place2 uv_to_c, bool up) {
+  const auto seen = [](Place2 by) { return Vec3d{0.3 + by.u, 0.2 + by.v, 5}; };
+  const auto uv = [](Place2 by) { return Place2{0.5 + 0.01 * by.u, 0.4 + 0.01 * by.v}; };
+  return {seen({0, 0}), seen(to_b), seen(to_c), uv({0, 0}), uv(uv_to_b), uv(uv_to_c), up};
 }
-
-/// From (0.5, 0.5), in hundredths.
-constexpr std::tuple<Place2, Place2, Place2> to(int right_e, int up_e, int right_n, int up_n) {
-  const auto at = [](int x, int y) { return Place2{0.5 + x * 0.01, 0.5 + y * 0.01}; };
-  return {at(0, 0), at(right_e, up_e), at(right_n, up_n)};
-}
-constexpr Place<Place2, Place2, Place2> is_mirrored_places[] = {
-    {"east is to the right, north is up: as printed", to(1, 0, 0, 1)},
-    {"east is to the left, north is up: mirrored", to(-1, 0, 0, 1)},
-    {"east is to the right, north is down: upside down, and mirrored", to(1, 0, 0, -1)},
-    {"east is to the left, north is down: turned by half a turn, not mirrored", to(-1, 0, 0, -1)},
-    {"east is up, north is to the left: turned by a quarter, not mirrored", to(0, 1, -1, 0)},
-    {"east is up, north is to the right: turned by a quarter, and mirrored", to(0, 1, 1, 0)},
-    {"both slanted: turned by an eighth, not mirrored", to(1, -2, 2, 1)},
-    {"east is at (+0.01, +0.02), north at (+0.01, +0.01) from here: mirrored", to(1, 2, 1, 1)},
-    {"east is at (-0.02, +0.01), north at (-0.01, +0.01) from here: mirrored", to(-2, 1, -1, 1)},
-    {"east is at (+0.02, +0.01), north at (-0.01, +0.01) from here: not mirrored", to(2, 1, -1, 1)},
-    {"east is at (+0.01, +0.02), north at (-0.01, +0.01) from here: not mirrored", to(1, 2, -1, 1)},
-    {"east is at (+0.01, +0.02), north at (-0.02, -0.01): not mirrored", to(1, 2, -2, -1)},
+constexpr Place2 right_by_1{1, 0}, up_by_1{0, 1}, left_by_1{-1, 0};
+constexpr Place<Vec3d, Vec3d, Vec3d, Place2, Place2, Place2, bool> is_mirrored_places[] = {
+    {"b is right of a with more u, c above with more v, v upward: as printed",
+     steps(right_by_1, up_by_1, right_by_1, up_by_1, true)},
+    {"b is right of a with less u, c above with more v, v upward: mirrored",
+     steps(right_by_1, up_by_1, left_by_1, up_by_1, true)},
+    {"b is right of a with more u, c above with more v, but v grows downward: mirrored",
+     steps(right_by_1, up_by_1, right_by_1, up_by_1, false)},
+    {"b is right with less u, c above with more v, v downward: turned by half a turn",
+     steps(right_by_1, up_by_1, left_by_1, up_by_1, false)},
+    {"b is above a with more v, c right with more u, v upward: as printed",
+     steps(up_by_1, right_by_1, up_by_1, right_by_1, true)},
+    {"b is above a with more v, c right with less u, v upward: mirrored",
+     steps(up_by_1, right_by_1, up_by_1, left_by_1, true)},
+    {"b is right with more v, c above with less u, v upward: turned by a quarter",
+     steps(right_by_1, up_by_1, up_by_1, left_by_1, true)},
+    {"b is right with more v, c above with more u, v upward: mirrored",
+     steps(right_by_1, up_by_1, up_by_1, right_by_1, true)},
+    {"b is below, c right, both slanted in (u, v), v upward",
+     steps({0.2, -1}, {1, 0.4}, {1, -2}, {2, 1}, true)},
+    {"the same, v downward", steps({0.2, -1}, {1, 0.4}, {1, -2}, {2, 1}, false)},
+    {"all slanted, v upward", steps({1, 2}, {-1, 1}, {1, 2}, {2, 1}, true)},
+    {"all slanted, v downward", steps({-2, 1}, {-1, -1}, {2, 1}, {1, 2}, false)},
+    {"all slanted, c on the right", steps({1, 2}, {2, 1}, {-2, 1}, {-1, 1}, true)},
+    {"all slanted, c on the left", steps({2, 1}, {1, 2}, {1, -2}, {-1, -1}, true)},
 };
 
 }  // namespace
@@ -196,14 +247,16 @@ constexpr Place<Place2, Place2, Place2> is_mirrored_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "04",
-      {exercise(chapter_04::uv_of, globe_in("daily"), {right_place, wrong_places, uv_of_places}),
-       exercise(lecture_u, globe_in("lecture"), {right_u, wrong_quarters, lecture_u_places}),
-       exercise(is_mirrored, globe_in("daily", "uv_map.png"),
-                {[](Place2 here, Place2 east, Place2 north) {
-                   const auto flat = [&](Place2 p) { return Vec3d{p.u - here.u, p.v - here.v, 0}; };
-                   return cross(flat(east), flat(north)).z < 0;
-                 },
-                 wrong_mirrors, is_mirrored_places})},
+      {exercise(uv_in, [] { return daily_globe(daily_lesson("earth.png")); },
+                {right_place, wrong_places, uv_in_places}),
+       exercise(old_column, globe_of_columns,
+                {right_column,
+                 wrong_columns,
+                 old_column_places,
+                 {},
+                 [](int, int width) { return width; }}),
+       exercise(is_mirrored, [] { return daily_globe(daily_lesson("uv_map.png")); },
+                {right_mirrored, wrong_mirrors, is_mirrored_places})},
       {{"The Earth's map has 2048 columns. By how many columns does the lecture's rounding shift "
         "it at America, where u is 1/4?",
         [] { return 0.25 * 2048 - 0.25 * 2047; },
