@@ -1,17 +1,19 @@
-// Exercise 05.2: u after a turn
+// Exercise 05.2: a place in the middle
 //
-// A point of the globe has this u, 0 or more and less than 1. The globe's direction is turned by an
-// angle in degrees, to the east if it is positive. Return the new u, again 0 or more and less than
-// 1. The angle may be negative, and it may be more than a full turn.
+// The eye is anywhere around the globe and looks at its center, (0, 0, 0). Which angle, in degrees,
+// shows the meridian with this longitude in the middle of the picture? Longitudes are in degrees,
+// too: without a turn 0 is on +x, 90 on -z and -90 on +z. As on the page, the angle turns the
+// direction that goes into the mapping: to the east if it is positive.
+// A full turn more or less shows the same, so it does not count.
 #include "exercise.hpp"
 
-double u_after(double u, double degrees) {
+double angle_to_show(double longitude, Vec3 eye) {
   // solution
-  const double turns = u + degrees / 360;
-  return turns - std::floor(turns);
-  // start: // Your lines here. How much of a full turn is the angle?
-  // start: return u * degrees;
+  const double without_a_turn = std::atan2(-eye.z, eye.x) * 180 / pi;
+  return longitude - without_a_turn;
+  // start: // Your lines here. std::atan2 returns radians, and pi is there.
+  // start: return longitude * eye.x;
 }
-// hint: A full turn is 360 degrees, and it adds 1 to u.
-// hint: Only the part after the decimal point counts. std::floor(x) is the whole number below x.
-// hint: -0.25 is u = 0.75. std::floor(-0.25) is -1, but static_cast<int>(-0.25) is 0.
+// hint: Which longitude is in the middle without a turn? The eye's own: std::atan2(-eye.z, eye.x).
+// hint: Every degree of the turn looks up a place one degree further east.
+// hint: Without a turn at longitude -90, and with 90 degrees: -90 + 90 = 0, as on the page.

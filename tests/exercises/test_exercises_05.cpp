@@ -20,9 +20,20 @@ TEST_CASE("05: strangers' answers get their words") {
   turned("about the y axis", [](V p, D degrees) { return about_y(p, degrees / 180 * pi); });
   turned("for radians", [](V p, D degrees) { return about_x(p, -degrees); });  // and the other way
 
-  u_after("no effect", [](D u, D degrees) { return u + int(degrees) % 360 / 360; });
-  u_after("add first", [](D u, D degrees) { return u + degrees / 360 - floor(degrees / 360); });
-  u_after("divide it by 360", [](D u, D degrees) { return fmod(u * 360 + degrees, 360); });
+  const auto by_longitude = [](const char* text, auto angle) {  // of what the eye faces
+    angle_to_show(text, [=](D longitude, V eye) {
+      return angle(longitude, atan2(-eye.z, eye.x) / pi * 180);
+    });
+  };
+  by_longitude("moves the other way", [](D wanted, D faced) { return faced - wanted; });
+  by_longitude("always on +z", [](D wanted, D faced) { return wanted - -90; });
+  by_longitude("subtract the eye", [](D wanted, D faced) { return wanted + faced + 360; });
+  angle_to_show("atan2(z, x) west",
+                [](D longitude, V eye) { return longitude - atan2(eye.z, eye.x) * 180 / pi; });
+  angle_to_show.right([](D longitude, V eye) {  // by the turn from the eye to the place
+    const V to{cos(longitude * pi / 180), 0, -sin(longitude * pi / 180)};
+    return 360 + atan2(cross(eye, to).y, eye.x * to.x + eye.z * to.z) / pi * 180;
+  });
 
   looked_up("for radians", [](V p, D lean, D turn) { return about_y(about_z(p, lean), turn); });
   const auto by_radians = [](const char* text, auto look) {
@@ -31,6 +42,8 @@ TEST_CASE("05: strangers' answers get their words") {
   by_radians("turn of x and y", [](V p, D a, D b) { return about_y(p, a + b); });
   by_radians("turn comes first", [](V p, D a, D b) { return about_z(about_y(p, b), a); });
   by_radians("to the left", [](V p, D a, D b) { return about_y(about_z(p, -a), b); });
+  by_radians("turn the direction that is looked up",
+             [](V p, D a, D b) { return about_y(about_z(p, a), -b); });
   by_radians("comes back", [](V p, D a, D b) { return about_z(about_y(about_z(p, a), b), -a); });
 }
 

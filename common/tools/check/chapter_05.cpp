@@ -5,14 +5,15 @@
 #include "engine/run/turntable.hpp"
 #include "exercises.hpp"
 #include "texture/rotated.hpp"
-#include "texture/wrap.hpp"
 
 namespace texmap::chapter_05 {
 
 static std::function<Vec3d(Vec3d, double)> turned;
-static std::function<double(double, double)> u_after;
+static std::function<double(double, Vec3d)> angle_to_show;
 static std::function<Vec3d(Vec3d, double, double)> looked_up;
-constexpr double earths_lean = 23.4;  // of its axis
+constexpr double earths_lean = 23.4;    // of its axis
+constexpr Point eye_aside{7, 4.5, -2};  // from where Sydney is to be seen
+constexpr double sydney = 151.2;
 
 template <class Mapping>
 struct Rotated {
@@ -24,9 +25,8 @@ struct Rotated {
     const double degrees = std::round(std::atan2(rotation.sine, rotation.cosine) / check::radian);
     if (turned) return mapping(turned(p, degrees));
     if (looked_up) return mapping(looked_up(p, earths_lean, degrees));
-    if (!u_after) return mapping(rotation(p));
-    const Uv<double> uv = mapping(p);
-    return {u_after(uv.u, degrees), uv.v};
+    if (angle_to_show) return mapping(rotation_y(angle_to_show(sydney, eye_aside))(p));
+    return mapping(rotation(p));
   }
 };
 
@@ -129,55 +129,57 @@ constexpr Place<Vec3d, double> turned_places[] = {
     {"a place at the back, (-2, 3, -6) / 7, after 200 degrees", {{-2. / 7, 3. / 7, -6. / 7}, 200}},
 };
 
-double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
+Image globe_from_aside() {
+  auto lesson = prepared<Lesson>();
+  lesson.stage.camera.eye = eye_aside;
+  return picture_of(lesson, 18);
+}
 
-/// x in the range 0 to 1 as many bring it there.
-std::vector<double> forms(double x) { return {fraction(x), fmod(x, 1), x, moved_once(x)}; }
-
-Slips<double> wrong_u(double u, double degrees) {
-  const double turns = degrees / 360, x = u + turns;
-  const double down_to_1 = x > 0 && x == floor(x) ? 1 : fraction(x);
+Slips<double> wrong_angles(double longitude, Vec3d eye) {
+  const auto [x, y, z] = eye;
+  const double by_eye = atan2(-z, x) / radian;
+  const double right = longitude - by_eye;
   return {
-      {"u leaves 0 to 1: only the part after the decimal point counts", x},
-      {"subtract std::floor",
-       {{"std::fmod and static_cast<int> cut off toward 0, so below 0 it stays negative",
-         fmod(x, 1)},
-        {"you remove one full turn, but there may be several", {moved_once(x), fmod(x + 1, 1)}},
-        {"-0.25 is 0.75, not 0.25", abs(fmod(x, 1))},
-        {"std::round, remainder and ceil go up", {x - round(x), remainder(x, 1), x - ceil(x)}},
-        {"this is the number of full turns, and the rest is u", floor(x)},
-        {"add first, then cut off the whole turns", {u + fraction(turns), u + fmod(turns, 1)}}}},
-      {"u = 1 is the seam again, where u is 0: u stays less than 1", down_to_1},
-      {"u = 1 is the seam, u = 0, and there may be several full turns", x == 1 ? x : moved_once(x)},
-      {"you limit u where it must begin again: the seam becomes a stripe", clamp(x, 0., 1.)},
-      {"only whole degrees count in yours: stay with double",
-       {fraction(u + trunc(degrees) / 360), u + fmod(trunc(degrees), 360) / 360}},
-      {"the degrees have no effect: with int, degrees / 360 is a whole number",
-       {u, u + trunc(degrees / 360), fmod(u + trunc(degrees / 360), 1)}},
-      {"u counts full turns, so add degrees / 360",
-       {{"the angle has the wrong sign", forms(u - turns)},
-        {"you divide by 180", forms(u + 2 * turns)},
-        {"you add radians", forms(u + degrees * radian)},
-        {"2 pi is a full turn in radians", forms(u + degrees / (360 * radian))},
-        {"you add degrees", forms(u + degrees)},
-        {"you divide u, too", forms((u + degrees) / 360)},
-        {"you multiply by the turn", forms(u * turns)},
-        {"the old u is missing", forms(turns)}}},
-      {"this is in degrees: divide it by 360", {360 * x, 360 * fmod(x, 1), 360 * fraction(x)}},
+      {"the picture moves the other way: a positive angle looks up what lies further east", -right},
+      {"subtract the eye's longitude, std::atan2(-z, x): this grows to the east, atan2(z, x) west",
+       {longitude + by_eye, -longitude - by_eye}},
+      {"your eye is always on +z: use the longitude of the eye",
+       {longitude + 90, longitude - 90, -longitude - 90, 90 - longitude}},
+      {"yours has no eye: without a turn the eye's own longitude is in the middle",
+       {longitude, -longitude}},
+      {"this is the eye's longitude alone", {by_eye, -by_eye}},
+      {"longitude 0 is on +x: std::atan2(x, z) is 0 on +z",
+       {longitude - atan2(x, z) / radian, longitude + atan2(x, z) / radian}},
+      {"this shows the back of the globe", {right + 180, 180 - right}},
+      {"std::atan2 returns radians: multiply by 180 / pi",
+       {longitude - by_eye * radian, longitude - by_eye * radian * radian}},
+      {"the answer is in degrees, not in radians and not a part of a turn",
+       {right * radian, right / 360, longitude * radian - by_eye * radian}},
+      {"std::atan sees only z / x, half of the directions: use std::atan2",
+       {longitude - atan(-z / x) / radian, longitude + atan(z / x) / radian}},
+      {"the eye's height does not count: a longitude is an angle between x and z",
+       {longitude - atan2(y, x) / radian, longitude - acos(x / length(eye)) / radian,
+        longitude - atan2(-z, y) / radian}},
   };
 }
 
-double right_u(double u, double by) { return wrapped_coordinate(Wrap::repeat, u + by / 360); }
-constexpr Place<double, double> u_after_places[] = {
-    {"a turn by 0 degrees changes nothing", {0.25, 0.0}},
-    {"a quarter turn to the east adds 1/4", {0.25, 90.0}},
-    {"a quarter turn to the west subtracts 1/4", {0.5, -90.0}},
-    {"a turn by 4.5 degrees adds 1/80", {0.5, 4.5}},
-    {"beyond the seam u begins at 0: from 0.875 a quarter turn leads to 0.125", {0.875, 90.0}},
-    {"on the seam u is 0, not 1: from 0.75 a quarter turn leads to 0", {0.75, 90.0}},
-    {"to the west, too: from 0.125 to 0.875", {0.125, -90.0}},
-    {"full turns do not count: 765 degrees are 45", {0.25, 765.0}},
-    {"-765 degrees are -45", {0.0625, -765.0}},
+double right_angle(double longitude, Vec3d eye) {
+  return 360 * (0.5 + longitude / 360 - uv_rtiow(eye).u);
+}
+/// Counted from 1 degree, which no place needs, so that rounding makes no full turn.
+double without_full_turns(double degrees, double /*longitude*/, Vec3d /*eye*/) {
+  return fraction((degrees - 1) / 360);
+}
+constexpr Place<double, Vec3d> angle_to_show_places[] = {
+    {"from +z, longitude 0 needs 90 degrees: Africa faces the eye", {0, {0, 0, 8}}},
+    {"from +z, longitude -90 needs none: America is there already", {-90, {0, 0, 8}}},
+    {"from +x, longitude 0 needs none", {0, {3, 0, 0}}},
+    {"from +x, longitude 30 needs 30 degrees", {30, {3, 0, 0}}},
+    {"from -z, longitude 60 needs -30 degrees", {60, {0, 0, -5}}},
+    {"from halfway between +x and +z, longitude 0 needs 45 degrees", {0, {4, 0, 4}}},
+    {"the eye's height does not count: from (4, 7, 4) it is 45 degrees, too", {0, {4, 7, 4}}},
+    {"from the back, (-3, 1, -4), longitude 100", {100, {-3, 1, -4}}},
+    {"from (-3, -2, 4), longitude 151", {151, {-3, -2, 4}}},
 };
 
 /// p with a lean to the right undone.
@@ -198,7 +200,8 @@ Slips<Vec3d> wrong_in_radians(Vec3d p, double lean, double turn) {
       {"the axis leans to the left: (sin, cos, 0) must turn to (0, 1, 0)", look(-lean, turn)},
       {"the turn comes first, and the axis leans to the left: undo the lean first, to (0, 1, 0)",
        upright(spun(p), -lean)},
-      {"the turn has the wrong sign: after the lean, +z must turn to +x", look(lean, -turn)},
+      {"you turn the globe: turn the direction that is looked up, from +z to +x",
+       look(lean, -turn)},
       {"both turns go the wrong way: bring the pole to (0, 1, 0), +z to +x", look(-lean, -turn)},
       {"the turn about the leaning axis is right, but the lean comes back: undo it only",
        upright(look(lean, turn), -lean)},
@@ -255,7 +258,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "05",
       {exercise(turned, globe_after("60"), {right_turn, wrong_turns, turned_places}),
-       exercise(u_after, globe_after("-150"), {right_u, wrong_u, u_after_places}),
+       exercise(angle_to_show, globe_from_aside,
+                {right_angle, wrong_angles, angle_to_show_places, without_full_turns}),
        exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places})},
       {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",

@@ -1,0 +1,15 @@
+// Exercise 05.2: a place in the middle
+//
+// The eye is anywhere around the globe and looks at its center, (0, 0, 0). Which angle, in degrees,
+// shows the meridian with this longitude in the middle of the picture? Longitudes are in degrees,
+// too: without a turn 0 is on +x, 90 on -z and -90 on +z. As on the page, the angle turns the
+// direction that goes into the mapping: to the east if it is positive.
+// A full turn more or less shows the same, so it does not count.
+//
+// Check it:  ./course check 05.2
+#include "exercise.hpp"
+
+double angle_to_show(double longitude, Vec3 eye) {
+  // Your lines here. std::atan2 returns radians, and pi is there.
+  return longitude * eye.x;
+}
