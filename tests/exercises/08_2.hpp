@@ -1,18 +1,23 @@
-// Exercise 08.2: the three weights
+// Exercise 08.2: where is this texel?
 //
-// a, b and c are the corners of a triangle as the ray sees them: x and y are their places, and the
-// ray goes through the triangle at (0, 0). Return the weights of a, b and c there. Their sum is 1.
+// a, b and c are the corners of a triangle in space, uv_a, uv_b and uv_c their texture coordinates.
+// Return the point of space where `at`, a place in the texture, is seen. The triangle's plane goes
+// on beyond its edges, and so do (u, v): `at` can be there, too. In the texture the corners run
+// counterclockwise or clockwise, and they are not on one line.
 #include "exercise.hpp"
 
-std::array<double, 3> weights(Vec3 a, Vec3 b, Vec3 c) {
+Vec3 point_of(Uv at, Vec3 a, Vec3 b, Vec3 c, Uv uv_a, Uv uv_b, Uv uv_c) {
   // solution
-  const double ab = a.x * b.y - a.y * b.x;
-  const double bc = b.x * c.y - b.y * c.x;
-  const double ca = c.x * a.y - c.y * a.x;
-  const double whole = ab + bc + ca;
-  return {bc / whole, ca / whole, ab / whole};
-  // start: // Your lines here. a.x * b.y - a.y * b.x is twice the area of (0, 0), a and b.
-  // start: return {a.x, b.x, c.x};
+  const auto area = [](Uv p, Uv q, Uv r) {  // twice, and below 0 if clockwise
+    return (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
+  };
+  const double whole = area(uv_a, uv_b, uv_c);
+  const double of_a = area(at, uv_b, uv_c) / whole;
+  const double of_b = area(at, uv_c, uv_a) / whole;
+  return a * of_a + b * of_b + c * (1 - of_a - of_b);
+  // start: // Your lines here. a * 2.0 and a + b are vectors; at.u and at.v are numbers.
+  // start: return a + (b - a) * at.u + (c - a) * at.v;
 }
-// hint: A corner's weight is the share of the small triangle opposite it: b, c and the ray for a.
-// hint: The three small triangles together are the whole one.
+// hint: `at` cuts the triangle of the texture into three. What is the weight of a?
+// hint: The edge function is about (0, 0). For `at` take the differences from it.
+// hint: The same weights mix the corners in space: a * of_a + b * of_b + c * of_c.
