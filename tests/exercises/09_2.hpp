@@ -1,20 +1,22 @@
-// Exercise 09.2: mix two texels
+// Exercise 09.2: between two frames
 //
-// A row of a picture has `width` texels, u runs from 0 to 1. So u * width is the place in texels:
-// texel k reaches from k to k + 1, and its center is at k + 1/2. A place lies between the centers
-// of two texels. The bilinear filter mixes both: at a center only that texel counts, halfway
-// between two centers both count 1/2, and between these the weights change evenly.
-// Return the weight of the texel on the left and the weight of the texel on the right.
+// A lamp repeats a film without an end. Its `frames` follow each other in this many seconds, all
+// equally long; each is one color of light. A frame's color is right in the middle of its time.
+// In between mix the two frames next to it in time, as bilinear mixes two texels: the closer one
+// counts more. `time` is in seconds since a first frame began, 0 or more; it can be longer than the
+// film. Return the color at this time.
 #include "exercise.hpp"
 
-std::array<double, 2> weights_of(double u, int width) {
+Color color_at_time(const std::vector<Color>& frames, double seconds, double time) {
   // solution
-  const double x = u * width - 0.5;  // centers are now at whole numbers
-  const double right = x - std::floor(x);
-  return {1 - right, right};
-  // start: // Your lines here. The lesson finds the two texels, it only needs their weights.
-  // start: return {u * width, 1 - u * width};
+  const int count = static_cast<int>(frames.size());
+  const double x = time / seconds * count - 0.5;  // middles are now at whole numbers
+  const int before = static_cast<int>(std::floor(x));
+  const double part = x - before;
+  return frames[(before + count) % count] * (1 - part) + frames[(before + 1) % count] * part;
+  // start: // Your lines here. frames[0] is the first of frames.size() frames.
+  // start: return frames[0];
 }
-// hint: Move the centers to whole numbers: x = u * width - 0.5.
-// hint: std::floor(x) is the center on the left. How far is x from it? That is one of the weights.
-// hint: Closer to the right center, the right texel counts more. Both weights add up to 1.
+// hint: How long is a frame? Frame k is right at k + 1/2 such times.
+// hint: Count the time in frames, less 1/2: now the middles are at whole numbers. std::floor.
+// hint: After the last frame comes the first one, and before the first one the last: use %.

@@ -1,24 +1,25 @@
 // Exercise 09.3: which level?
 //
-// Level 0 of a pyramid is the picture, and a texel of level l is 2^l texels of level 0 wide. A tap
-// has to be `width` texels of level 0 wide. Let l be the whole level with 2^l <= width < 2^(l + 1).
-// Then the part f of level l + 1 must be mixed in:
-//     f = ((width / 2^l)^2 - 1) / 3
-// Return l + f. No level is finer than 0: a width below 1 counts as 1.
+// Three neighboring rays meet a globe: that of a pixel has the texture coordinates `here`, that of
+// the next pixel to the right has `right`, and that of the next one down has `below`. The globe's
+// picture has width x height texels and is laid around it once: after u = 1 it begins again.
+// In the picture, how many texels is the way from `here` to each neighbor? Return the level, in
+// general not a whole number, whose texels are as wide as the longer one. A texel of level l is
+// 2^l texels of level 0 wide. No level is finer than 0. Neighbors are less than half a turn apart.
 #include "exercise.hpp"
 
-double level_of_width(double width) {
+double level_for(Uv here, Uv right, Uv below, int width, int height) {
   // solution
-  double scaled = std::max(width, 1.0);
-  int level = 0;
-  while (scaled >= 2) {
-    scaled = scaled / 2;
-    level = level + 1;
+  double longest = 1;
+  for (const Uv next : {right, below}) {
+    double across = std::abs(next.u - here.u);
+    across = std::min(across, 1 - across);
+    longest = std::max(longest, std::hypot(across * width, (next.v - here.v) * height));
   }
-  return level + (scaled * scaled - 1) / 3;
-  // start: // Your lines here. A while loop finds l.
-  // start: // In C++, ^ is not a power: 2^l is std::pow(2, l).
-  // start: return width < 2 ? 0 : 1;
+  return std::log2(longest);
+  // start: // Your lines here. std::log2(x) is the number l with 2^l = x.
+  // start: return here.u * width;
 }
-// hint: Halve the width until it is below 2, and count how often. The count is l.
-// hint: What is left after halving is width / 2^l, 1 to 2. Put it into the formula for f.
+// hint: The way is a vector: (difference of u * width, difference of v * height). Its length?
+// hint: From u = 0.99 to 0.01 it is not 0.98 of a turn but 0.02, across the seam.
+// hint: 2^l is the length for l = std::log2(length). A length below 1 counts as 1.

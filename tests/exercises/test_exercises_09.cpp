@@ -8,22 +8,44 @@ TEST_CASE("09: strangers' answers get their words") {
   repeated_column("clamp", [](int c, int w) { return min(max(0, c), w - 1); });
   repeated_column("one width is not enough", [](int c, int w) { return (c + w) % w; });
 
-  using W = std::array<D, 2>;
-  const auto by_right = [](const char* text, auto right) {
-    weights_of(text, [=](D u, int width) { return W{1 - right(u, width), right(u, width)}; });
-  };
-  by_right("half a texel", [](D u, int width) { return fmod(u * width, 1.0); });
-  by_right("multiply it by width", [](D u, int width) { return u; });
-  by_right("nearest center", [](D u, int w) { return abs(u * w - 0.5 - round(u * w - 0.5)); });
-  by_right("loses its sign", [](D u, int w) { return abs(u * w - 0.5 - int(u * w - 0.5)); });
-
-  level_of_width("natural", [](D width) { return std::log(max(width, 1.0)); });
-  const auto by_level = [](const char* text, auto level) {  // of the whole level and the rest
-    level_of_width(text, [=](D width) {
-      const D l = floor(log2(max(width, 1.0)));
-      return level(l, max(width, 1.0) / exp2(l));
+  using Film = std::vector<Color>;
+  const auto by_time = [](const char* text, auto other) {  // in frames
+    color_at_time(text, [=](const Film& frames, D seconds, D time) {
+      const D n = frames.size();
+      return solution_2::color_at_time(frames, 1, other(time / seconds * n, n) / n + 7);
     });
   };
-  by_level("divide by 3", [](D l, D rest) { return l + rest * rest - 1; });
-  by_level("before -", [](D l, D rest) { return l + rest * rest - 1. / 3; });
+  by_time("half a frame is missing", [](D t, D n) { return t + 0.5; });
+  by_time("the film begins again", [](D t, D n) { return max(0.5, min(fmod(t, n), n - 0.5)); });
+  by_time("nearest frame", [](D t, D n) { return floor(t) + 0.5; });
+  color_at_time.right([](const Film& frames, D seconds, D time) {  // by a loop over the film
+    const int n = frames.size();
+    D x = time / (seconds / n) + n - 0.5;
+    while (x >= n) x -= n;
+    const int before = x, after = before + 1 < n ? before + 1 : 0;
+    return frames[before] + (frames[after] - frames[before]) * (x - before);
+  });
+
+  const auto by_ways = [](const char* text, auto level) {  // of the vectors in texels
+    level_for(text, [=](Uv here, Uv right, Uv below, int width, int height) {
+      const auto way = [=](Uv to) {
+        const D u = to.u - here.u;
+        return V{(u > 0.5 ? u - 1 : u < -0.5 ? u + 1 : u) * width, (to.v - here.v) * height, 0};
+      };
+      return level(way(right), way(below));
+    });
+  };
+  by_ways("no level is finer", [](V p, V q) { return log2(max(length(p), length(q))); });
+  by_ways("the longer way", [](V p, V q) { return log2(max(1.0, length(p))); });
+  by_ways("root of the sum", [](V p, V q) { return log2(max({1.0, dot(p, p), dot(q, q)})); });
+  level_for("across the seam", [](Uv here, Uv right, Uv below, int width, int height) {
+    const D p = std::hypot((right.u - here.u) * width, (right.v - here.v) * height);
+    const D q = std::hypot((below.u - here.u) * width, (below.v - here.v) * height);
+    return max(0.0, log2(max(p, q)));
+  });
+  level_for.right([](Uv here, Uv right, Uv below, int width, int height) {  // by halving
+    D longer = max(1.0, exp2(solution_3::level_for(here, right, below, width, height))), level = 0;
+    for (; longer >= 2; longer /= 2) ++level;
+    return level + std::log(longer) / std::log(2.0);
+  });
 }

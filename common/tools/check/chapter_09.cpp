@@ -7,8 +7,8 @@
 namespace texmap::chapter_09 {
 
 static std::function<int(int, int)> repeated_column;
-static std::function<std::array<double, 2>(double, int)> weights_of;
-static std::function<double(double)> level_of_width;
+static std::function<Rgb(const std::vector<Rgb>&, double, double)> color_at_time;
+static std::function<double(Uv<double>, Uv<double>, Uv<double>, int, int)> level_for;
 
 struct FilteredTexture : texmap::FilteredTexture {
   using texmap::FilteredTexture::operator=;
@@ -16,19 +16,23 @@ struct FilteredTexture : texmap::FilteredTexture {
   Rgb operator()(const Uv<double>& uv) const {
     const bool floor = wrap == Wrap::repeat;  // the globes' is spherical
     if (floor && repeated_column) return nearest_texel({uv.u, 1 - uv.v});
-    if (floor && weights_of) return four_texels_mixed({uv.u, 1 - uv.v});
+    if (floor && color_at_time) return color_at_time({blue, red, white}, 1, check::fraction(uv.u));
     return texmap::FilteredTexture::operator()(uv);
   }
   Color<Dual<double>> operator()(const Uv<Dual<double>>& uv) const {
-    if (wrap != Wrap::repeat || !level_of_width) return texmap::FilteredTexture::operator()(uv);
-    // As wide as the footprint is long, by the filter trilinear.
-    const double longer = footprint_of(uv, whole().width, whole().height).longer;
-    const double last = pyramid.last_level();
-    const double level = clamp(level_of_width(longer), 0.0, last);
-    const double fine = floor(level);
+    if (!level_for) return texmap::FilteredTexture::operator()(uv);
+    const auto& [u, v] = uv;
+    const PyramidLevel<int>& whole = pyramid.levels.front();
+    const auto neighbor = [&](double du, double dv) {
+      return Uv<double>{check::fraction(u.value + clamp(du, -0.4, 0.4)), v.value + dv};
+    };
+    const double level = clamp(level_for(neighbor(0, 0), neighbor(u.dx, v.dx), neighbor(u.dy, v.dy),
+                                         whole.width, whole.height),
+                               0.0, double(pyramid.last_level()));
+    const double fine = floor(level), coarse = std::ceil(level);
     const Rgb color =
-        trilinear({uv.u.value, 1 - uv.v.value},
-                  TwoLevels<double>{level_of(pyramid, fine), level_of(pyramid, min(fine + 1, last)),
+        trilinear({u.value, 1 - v.value},
+                  TwoLevels<double>{level_of(pyramid, fine), level_of(pyramid, coarse),
                                     level - fine, level > fine});
     return {color.r, color.g, color.b};
   }
@@ -43,22 +47,6 @@ struct FilteredTexture : texmap::FilteredTexture {
     const double height = whole().height;
     return texel_light(pyramid, whole(), double(column),
                        remainder_of(floor(at.v * height), height));
-  }
-  Rgb four_texels_mixed(const Uv<double>& at) const {
-    const PyramidLevel<double> level = whole();
-    const Uv<double> inside{wrapped_coordinate(wrap, at.u), wrapped_coordinate(wrap, at.v)};
-    const auto [left, right] = weights_of(inside.u, static_cast<int>(level.width));
-    const auto [top, bottom] = weights_of(inside.v, static_cast<int>(level.height));
-    const double column = floor(inside.u * level.width - 0.5);
-    const double row = floor(inside.v * level.height - 0.5);
-    const auto texel_at = [&](double x, double y) {
-      return texel_light(pyramid, level, remainder_of(x, level.width),
-                         remainder_of(y, level.height));
-    };
-    const auto row_of = [&, left = left, right = right](double y) {
-      return texel_at(column, y) * left + texel_at(column + 1, y) * right;
-    };
-    return row_of(row) * top + row_of(row + 1) * bottom;
   }
 };
 
@@ -75,14 +63,14 @@ namespace {
 
 using namespace chapter_09;
 
-using Weights = std::array<double, 2>;
-
-/// The floor drawn by this filter, its picture so wide.
-Image drawn_floor(const char* filter, double size, const LightImage* texels = nullptr) {
-  auto lesson = prepared<Lesson>({"--filter", filter, "--scene", "plane", "--floor", "crate.png"});
-  if (texels != nullptr) lesson.ground.texture.pyramid = pyramid_of(*texels);
-  lesson.ground.mapping.mapping.size = size;
-  return picture_of(lesson);
+/// The floor, its picture so wide.
+std::function<Image()> floor_of(double size) {
+  return [=] {
+    auto lesson =
+        prepared<Lesson>({"--filter", "nearest", "--scene", "plane", "--floor", "crate.png"});
+    lesson.ground.mapping.mapping.size = size;
+    return picture_of(lesson);
+  };
 }
 
 Slips<int> wrong_columns(int column, int width) {
@@ -142,127 +130,165 @@ constexpr Place<int, int> repeated_column_places[] = {
     {"column -10 of 6 is column 2", {-10, 6}},
 };
 
-/// Texels half a unit wide.
-Image floor_of_three_colors() {
-  LightImage image(8, 8);
-  for (int i = 0; i < 64; ++i) {
-    image.at(i % 8, i / 8) = number_cast<float>(
-        std::array{blue, red, white}[static_cast<std::size_t>(i % 8 + i / 8 * 2) % 3]);
-  }
-  return drawn_floor("bilinear", 4, &image);
-}
+using Frames = std::vector<Rgb>;
 
-Slips<Weights> wrong_weights(double u, int w) {
-  const double x = u * w - 0.5, right = fraction(x);
-  const Slips<double> weights = {
-      {"half a texel is missing: center k is at k + 1/2 (1 / 2 as int is 0)", fraction(u * w)},
-      {"write u * width - 0.5",
-       {{"you subtract half a texel from u", fraction((u - 0.5) * w)},
-        {"u = 1 is the right edge of the last texel, and you multiply by width - 1",
-         {fraction(u * (w - 1)), fraction(u * (w - 1) - 0.5)}},
-        {"u runs from 0 to 1, multiply it by width", {fraction(u - 0.5), u}}}},
-      {"the nearer texel has all the weight: this is the filter nearest", round(right)},
-      {"the right texel has x - std::floor(x)",
-       {{"all weight is on one side, or x is no double", 0},
-        {"cut off toward 0 it is below 0 at the left edge, or loses its sign",
-         {x - trunc(x), abs(fmod(x, 1))}},
-        {"this is the distance to the nearest center", {abs(remainder(x, 1)), x - round(x)}},
-        {"std::ceil(x) is the center on the right", ceil(x) - x},
-        {"this is a place and no part", {x, floor(x), u * w}},
-        {"the weights change evenly, by no power of it",
-         {right * right, right * right * (3 - 2 * right), sqrt(right)}}}},
-      {"both texels count 1/2 everywhere: this blurs, but does not mix by distance", 0.5},
+Slips<Rgb> wrong_colors(const Frames& frames, double seconds, double time) {
+  const int n = int(frames.size());
+  const auto frame = [&](int i) { return frames[std::size_t((i % n + n) % n)]; };
+  const auto limited = [&](int i) { return frames[std::size_t(clamp(i, 0, n - 1))]; };
+  /// At this place, counted in middles of frames.
+  const auto at = [&](double x) {
+    return mix(frame(int(floor(x))), frame(int(floor(x)) + 1), fraction(x));
   };
+  const double x = time / seconds * n - 0.5, part = fraction(x);
+  const int i = int(floor(x));
+  const double once = fmod(time, seconds) / seconds * n - 0.5;  // in the film
+  const int first = int(floor(once));
   return {
-      {"the weights are exchanged: the closer texel must count more", {right, 1 - right}},
-      changed(weights,
-              [](double r) {
-                return Weights{1 - r, r};
-              }),
-      changed(weights,
-              [](double r) {
-                return Weights{r, 1 - r};
-              }),
-      {"equal weights: the left one is 1 - right", {{right, right}, {1 - right, 1 - right}}},
+      {"half a frame is missing: frame k is right at k + 1/2 (1 / 2 as int is 0)", at(x + 0.5)},
+      {"the weights are exchanged: the closer frame must count more",
+       mix(frame(i), frame(i + 1), 1 - part)},
+      {"this is the nearest frame alone: the light jumps",
+       {frame(int(floor(x + 0.5))), frame(int(round(x))), frame(i), frame(i + 1)}},
+      {"the film begins again: after the last frame comes the first one, before the first the last",
+       {mix(limited(first), limited(first + 1), part), mix(limited(i), limited(i + 1), part),
+        mix(frame(max(first, 0)), frame(first + 1), part),
+        mix(frame(first), limited(first + 1), part), mix(frame(max(i, 0)), frame(i + 1), part)}},
+      {"std::floor goes down, a conversion to int toward 0: before 1/2 x is below 0",
+       {mix(frame(cut_off(x)), frame(cut_off(x) + 1), x - trunc(x)),
+        mix(frame(cut_off(x)), frame(cut_off(x) + 1), abs(x - trunc(x)))}},
+      {"multiply by the number of frames: all of them together last `seconds`",
+       {at(time / seconds - 0.5), at(time - 0.5), at(time * n - 0.5), at(time * seconds - 0.5),
+        at(time * seconds * n - 0.5)}},
+      {"there are as many frame times as frames, not one less",
+       {at(time / seconds * (n - 1)), at(time / seconds * (n - 1) - 0.5)}},
+      {"both frames count 1/2 everywhere: mix by time", mix(frame(i), frame(i + 1), 0.5)},
+      {"the two frames are the one before and the one after",
+       {mix(frame(i), frame(i - 1), part), mix(frame(i - 1), frame(i), part),
+        mix(frame(i + 1), frame(i + 2), part)}},
+      {"the weights change evenly, by no power of it",
+       {mix(frame(i), frame(i + 1), part * part),
+        mix(frame(i), frame(i + 1), part * part * (3 - 2 * part))}},
   };
 }
 
-constexpr Place<double, int> weights_of_places[] = {
-    {"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
-    {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
-    {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4", {0.4375, 4}},
-    {"u = 9/16 is three quarters of the way from center 1 to 2 of 4: 1/4 and 3/4", {0.5625, 4}},
-    {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9", {0.3, 8}},
-    {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4", {0.25, 5}},
-    {"on the left edge, u = 0, the last texel is on the left again: 1/2 and 1/2", {0, 4}},
-    {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}},
-};
-
-double level_of(double width) {
-  const LevelPlace<double> place = level_place(width, 30);
-  return place.number + place.fraction;
-}
-
-Slips<double> wrong_levels(double width) {
-  const double w1 = max(width, 1.), l = floor(log2(w1));
-  const auto third = [](double scaled) { return (scaled * scaled - 1) / 3; };
-  Slips<double> wrong = {
-      {"this is the logarithm log2: right at whole levels, up to 0.17 off between them", log2(w1)},
-      {"widths below 1 must count as 1: there is no level below 0",
-       {log2(width), width < 1 ? third(width) : level_of(width),
-        floor(log2(width)) + third(width / exp2(floor(log2(width))))}},
-      {"this is the natural logarithm: a level is a power of 2", {log(w1), log(width)}},
-      {"std::min makes every width 1 or less: take std::max(width, 1.0)", third(min(width, 1.))},
-  };
-  for (const double w : {w1, width}) {
-    const double scaled = w / exp2(l), square = scaled * scaled, f = third(scaled);
-    const auto at = [=](double level) { return level + third(w / exp2(level)); };
-    wrong += {
-        {"this is the whole level alone: add f, and compute with double, not int", l},
-        {"the level is one too high or too low: count from 0, once for each halving",
-         {l + 1 + f, l + 1 + third(scaled / 2), l - 1 + f}},
-        {"it is l + (square - 1) / 3",
-         {{"this is f alone", f},
-          {"it grows with the square of the width", {l + scaled - 1, l + (scaled - 1) / 3}},
-          {"divide by 3", {l + square - 1, l + (square - 1) / 2, l + (square - 1) / 4}},
-          {"the square is not reduced by 1", l + square / 3},
-          {"/ comes before -", {l + square - 1 / 3., l + square}},
-          {"f is added to l, not subtracted or multiplied", {l - f, l * (square - 1) / 3}}}},
-        {"f takes the width after halving, width / 2^l", {l + third(w), l + (w * scaled - 1) / 3}},
-        {"2 to the power l is std::exp2(l), not 2 * l and, in C++, not 2 ^ l",
-         {l + third(w / (2 * l)), l + third(w / (2 ^ static_cast<int>(l)))}},
-        {"l is the level below the width, by std::floor", {at(ceil(log2(w))), at(round(log2(w)))}},
-    };
+/// Each frame weighs 1 minus its distance in time, counted in frames, if that is less than 1.
+Rgb right_color(const Frames& frames, double seconds, double time) {
+  const double n = double(frames.size());
+  Rgb sum{};
+  for (double k = 0; k < n; ++k) {
+    const double away = n * abs(remainder((k + 0.5) / n - time / seconds, 1));
+    sum = sum + frames[std::size_t(k)] * max(0., 1 - away);
   }
-  return wrong;
+  return sum;
 }
 
-constexpr Place<double> level_of_width_places[] = {
-    {"a read 1 texel wide is at level 0", {1}},
-    {"a read 2 texels wide is at level 1", {2}},
-    {"8 = 2^3 texels are at level 3", {8}},
-    {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
-    {"1.5 texels: l = 0, and f = (1.5^2 - 1) / 3 = 0.4167", {1.5}},
-    {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
-    {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
-    {"a footprint of width 0 is at level 0", {0}},
+Slips<double> wrong_levels(Place2 here, Place2 right, Place2 below, int width, int height) {
+  const auto level = [](double length) { return log2(max(length, 1.)); };
+  const auto round_the_globe = [](double across) { return min(abs(across), 1 - abs(across)); };
+  const double right_u = round_the_globe(right.u - here.u), right_v = abs(right.v - here.v);
+  const double below_u = round_the_globe(below.u - here.u), below_v = abs(below.v - here.v);
+  /// The longer of both ways, by another measure of a way.
+  const auto longer = [&](auto measure) {
+    return max(measure(right_u, right_v), measure(below_u, below_v));
+  };
+  const auto in_texels = [&](double u, double v) { return std::hypot(u * width, v * height); };
+  const auto across = [&](auto of) {
+    return max(in_texels(of(right.u - here.u), right_v), in_texels(of(below.u - here.u), below_v));
+  };
+  const double to_right = in_texels(right_u, right_v), to_below = in_texels(below_u, below_v);
+  const double length = max(to_right, to_below);
+  return {
+      {"across the seam the way is short: from u = 0.99 to 0.01 it is 0.02 of a turn",
+       {level(across([](double u) { return u; })), level(across(fraction)),
+        level(across([](double u) { return u < 0 ? u + 1 : u; })),
+        level(across([](double u) { return 1 - abs(u); }))}},
+      {"no level is finer than 0: a way shorter than a texel counts as 1",
+       {log2(length), abs(log2(length)), length > 0 ? log2(length) : 0}},
+      {"the longer way decides, not the shorter one or their mean",
+       {level(min(to_right, to_below)), level((to_right + to_below) / 2), level(to_right),
+        level(to_below), level(to_right + to_below), level(std::hypot(to_right, to_below)),
+        level(sqrt(to_right * to_below))}},
+      {"count in texels: the difference of u times width, that of v times height",
+       {level(longer([](double u, double v) { return std::hypot(u, v); })),
+        level(longer([&](double u, double v) { return width * std::hypot(u, v); })),
+        level(longer([&](double u, double v) { return height * std::hypot(u, v); })),
+        level(longer([&](double u, double v) { return std::hypot(u * height, v * width); }))}},
+      {"the length of a vector is the root of the sum of both squares",
+       {level(longer([&](double u, double v) { return u * width + v * height; })),
+        level(longer([&](double u, double v) { return max(u * width, v * height); })),
+        level(length * length), level(longer([&](double u, double) { return u * width; })),
+        level(longer([&](double, double v) { return v * height; }))}},
+      {"this is the width of the texels, not the level: take std::log2 of it",
+       {length, max(length, 1.), sqrt(length)}},
+      {"this is another logarithm: a level is a power of 2",
+       {log(max(length, 1.)), std::log10(max(length, 1.))}},
+      {"the level need not be whole",
+       {floor(level(length)), round(level(length)), ceil(level(length))}},
+      {"a texel of level l is 2^l wide: level 0 for the length 1",
+       {1 + level(length), exp2(length)}},
+      {"v ends at the poles, it does not begin again",
+       level(max(in_texels(right_u, round_the_globe(right_v)),
+                 in_texels(below_u, round_the_globe(below_v))))},
+  };
+}
+
+/// By the angle around the axis.
+double right_level(Place2 here, Place2 right, Place2 below, int width, int height) {
+  const auto squared = [=](Place2 to) {
+    const double x = width * remainder(to.u - here.u, 1), y = height * (to.v - here.v);
+    return x * x + y * y;
+  };
+  return log2(max({squared(right), squared(below), 1.})) / 2;
+}
+constexpr Place<Place2, Place2, Place2, int, int> level_for_places[] = {
+    {"8 texels of 64 to the right, 2 down: level 3",
+     {{0.5, 0.5}, {0.625, 0.5}, {0.5, 0.4375}, 64, 32}},
+    {"8 texels down are longer than 4 to the right: level 3",
+     {{0.5, 0.75}, {0.5625, 0.75}, {0.5, 0.5}, 64, 32}},
+    {"1 texel each: level 0", {{0.5, 0.5}, {0.515625, 0.5}, {0.5, 0.46875}, 64, 32}},
+    {"6 texels across and 8 down make 10: level 3.3219",
+     {{0.25, 0.75}, {0.34375, 0.5}, {0.25, 0.75}, 64, 32}},
+    {"to the left, 16 texels: level 4", {{0.5, 0.5}, {0.25, 0.5}, {0.5, 0.5}, 64, 32}},
+    {"across the seam, from u = 0.96875 to 0.03125 of 64: 4 texels, level 2",
+     {{0.96875, 0.5}, {0.03125, 0.5}, {0.96875, 0.46875}, 64, 32}},
+    {"across the seam to the west, from 0.03125 to 0.90625: 8 texels, level 3",
+     {{0.03125, 0.5}, {0.03125, 0.46875}, {0.90625, 0.5}, 64, 32}},
+    {"of 1000 x 300 texels, slanted", {{0.2, 0.4}, {0.21, 0.43}, {0.19, 0.37}, 1000, 300}},
+    {"no level is finer than 0: half a texel is level 0",
+     {{0.5, 0.5}, {0.5078125, 0.5}, {0.5, 0.5}, 64, 32}},
+    {"three rays to one place: level 0", {{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}, 64, 32}},
+    {"from near one pole to near the other, 24 of 32 rows: level 4.585",
+     {{0.5, 0.125}, {0.5, 0.875}, {0.5, 0.125}, 64, 32}},
 };
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
+  const Frames four = {{1, 0, 0.2}, {0, 1, 0.4}, {0.5, 0.5, 0.8}, {0.25, 0.75, 0}},
+               three = {red, white, blue};
+  static const Place<Frames, double, double> color_at_time_places[] = {
+      {"4 frames in 8 seconds: in the middle of frame 0, after 1 second, it is frame 0",
+       {four, 8, 1}},
+      {"after 5 seconds, in the middle of frame 2, it is frame 2", {four, 8, 5}},
+      {"after 2 seconds frames 0 and 1 count 1/2", {four, 8, 2}},
+      {"after 3.5 seconds frame 1 counts 3/4 and frame 2 counts 1/4", {four, 8, 3.5}},
+      {"after 6.8 seconds frame 3 counts 9/10 and frame 2 counts 1/10", {four, 8, 6.8}},
+      {"at the beginning the last frame and frame 0 count 1/2", {four, 8, 0}},
+      {"after 0.5 seconds frame 0 counts 3/4 and the last frame 1/4", {four, 8, 0.5}},
+      {"after 7.5 seconds the last frame counts 3/4 and frame 0 counts 1/4", {four, 8, 7.5}},
+      {"after 11.5 seconds the film runs again: as after 3.5", {four, 8, 11.5}},
+      {"3 frames in 1 second, after 0.3: frame 0 counts 0.6 and frame 1 counts 0.4",
+       {three, 1, 0.3}},
+      {"3 frames in 1 second, after 20.9", {three, 1, 20.9}},
+  };
   static const ExercisesOfChapter chapter{
       "09",
-      {exercise(repeated_column, [] { return drawn_floor("nearest", 3); },
+      {exercise(repeated_column, floor_of(3),
                 {right_column, wrong_columns, repeated_column_places, {}, width_of}),
-       exercise(weights_of, floor_of_three_colors,
-                {[](double u, int width) {
-                   const double second = u * width - 0.5 - std::floor(u * width - 0.5);
-                   return Weights{1 - second, second};
-                 },
-                 wrong_weights, weights_of_places}),
-       exercise(level_of_width, picture<Lesson>({"--filter", "trilinear", "--scene", "plane"}),
-                {level_of, wrong_levels, level_of_width_places})},
+       exercise(color_at_time, floor_of(4), {right_color, wrong_colors, color_at_time_places}),
+       exercise(level_for, picture<Lesson>({"--filter", "trilinear"}),
+                {right_level, wrong_levels, level_for_places})},
       {{"Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean of "
         "their light?",
         [] { return double(byte_of(shown_light(gray(0.5)).g)); },
