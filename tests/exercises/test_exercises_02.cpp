@@ -21,23 +21,11 @@ TEST_CASE("02: strangers' answers get their words") {
   // Both are wrong, each in its own way.
   uv_of("by 2 pi; and v is", [](V p) { return Uv{atan2(-p.z, p.x) / pi, acos(-p.y)}; });
 
-  const auto by_direction = [](const char* text, auto step) {  // on a sphere of radius 1
-    after_walk(text, [=](V p, V center, D radius, D du, D dv) {
-      return center + radius * step((p - center) / radius, du, dv);
-    });
-  };
   after_walk("subtract the center", [](V p, V, D radius, D du, D dv) {
     return solution_2::after_walk(p, {0, 0, 0}, radius, du, dv);
   });
-  after_walk("for radius 1", [](V p, V center, D, D du, D dv) {
-    return solution_2::after_walk(p, center, 1, du, dv);
-  });
-  by_direction("in radians this is 2 pi", [](V d, D du, D dv) {
-    return solution_2::after_walk(d, {0, 0, 0}, 1, du / 2, dv);
-  });
-  by_direction("not with the height", [](V d, D du, D dv) {
-    const V east = solution_2::after_walk(d, {0, 0, 0}, 1, du, dv);
-    return V{east.x, d.y + 2 * dv, east.z};
+  after_walk("in a whole turn, 2 pi", [](V p, V center, D radius, D du, D dv) {
+    return solution_2::after_walk(p, center, radius, du / 2, dv);
   });
   after_walk.right([](V p, V center, D radius, D du, D dv) {  // by turns, without the map
     const V d = p - center;

@@ -24,6 +24,10 @@ TEST_CASE("03: strangers' answers get their words") {
          in_picture([](D v, int h) { return clamp(int(h - v * h + 0.5), 0, h - 1); }));
   row_of("you forgot the - 1",
          in_picture([](D v, int h) { return h - clamp(int(v * h), 0, h - 1); }));
+  row_of("limit the number", in_picture([](D v, int h) { return h - 1 - int(floor(v * h)); }));
+  row_of("limit the number", [](D v, int h, int picture) {
+    return v < 0 || v > 1 ? -1 : picture * h + h - 1 - min(int(v * h), h - 1);
+  });
   row_of("has height rows, not one",
          [](D v, int h, int picture) { return picture + h - 1 - clamp(int(v * h), 0, h - 1); });
 

@@ -5,7 +5,7 @@ const std::vector<double> texmap::test::answers{0.25, 0.65};
 
 TEST_CASE("04: strangers' answers get their words") {
   using solution_1::uv_in;
-  ::uv_in("subtract the longitude of the seam", [](V p, V, bool east, bool north) {
+  ::uv_in("subtract the seam's longitude", [](V p, V, bool east, bool north) {
     return uv_in(p, {1, 0, 0}, east, north);
   });
   ::uv_in("whole turns", [](V p, V seam, bool east, bool north) {
@@ -16,8 +16,6 @@ TEST_CASE("04: strangers' answers get their words") {
     const Uv uv = uv_in(p, seam, true, true);
     return Uv{east ? uv.u : 1 - uv.u, north ? uv.v : 1 - uv.v};
   });
-  ::uv_in("v_to_north says",
-          [](V p, V seam, bool east, bool north) { return uv_in(p, seam, east, true); });
   ::uv_in.right([](V p, V seam, bool east, bool north) {  // by the angle from the seam
     const D across = east ? cross(seam, p).y : cross(p, seam).y;
     const D turns = atan2(across, seam.x * p.x + seam.z * p.z) / (2 * pi);
@@ -28,11 +26,6 @@ TEST_CASE("04: strangers' answers get their words") {
   old_column("one too far right", [](int c, int w) { return (2 * w - c - w / 4) % w; });
   old_column("add width there", [](int c, int w) { return w - 1 - c - w / 4; });
   old_column("turned around", [](int c, int w) { return (c + w / 4) % w; });
-  old_column.right([](int c, int w) {
-    const D u = 0.75 - (c + 0.5) / w;
-    return int(floor((u - floor(u)) * w));
-  });
-
   using solution_3::is_mirrored;
   ::is_mirrored("grow downward", [](V a, V b, V c, Uv p, Uv q, Uv r, bool) {
     return is_mirrored(a, b, c, p, q, r, true);

@@ -28,8 +28,6 @@ TEST_CASE("05: strangers' answers get their words") {
   by_longitude("moves the other way", [](D wanted, D faced) { return faced - wanted; });
   by_longitude("always on +z", [](D wanted, D faced) { return wanted - -90; });
   by_longitude("subtract the eye", [](D wanted, D faced) { return wanted + faced + 360; });
-  angle_to_show("atan2(z, x) west",
-                [](D longitude, V eye) { return longitude - atan2(eye.z, eye.x) * 180 / pi; });
   angle_to_show.right([](D longitude, V eye) {  // by the turn from the eye to the place
     const V to{cos(longitude * pi / 180), 0, -sin(longitude * pi / 180)};
     return 360 + atan2(cross(eye, to).y, eye.x * to.x + eye.z * to.z) / pi * 180;

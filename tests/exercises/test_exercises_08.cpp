@@ -22,25 +22,13 @@ TEST_CASE("08: strangers' answers get their words") {
   by_edges(
       "last corner to the first", [](D low, D high) { return (low >= 0) != (high <= 0); }, 1);
   is_hit.right([](const Window& corners) {  // in triangles from the first corner
-    const auto side = [](V a, V b) { return a.x * b.y - a.y * b.x; };
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      const D ab = side(corners[0], corners[i - 1]), bc = side(corners[i - 1], corners[i]);
-      const D ca = side(corners[i], corners[0]);
-      if (ab == 0 && bc == 0 && ca == 0) continue;
-      if (min({ab, bc, ca}) >= 0 || max({ab, bc, ca}) <= 0) return true;
-    }
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      if (solution_1::is_hit({corners[0], corners[i - 1], corners[i]})) return true;
     return false;
   });
 
-  const auto by_weights = [](const char* text, auto mix) {  // of those in the texture
-    point_of(text, [=](Uv at, V a, V b, V c, Uv p, Uv q, Uv r) {
-      const V w = solution_2::point_of(at, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, p, q, r);
-      return mix(a, b, c, w);
-    });
-  };
-  by_weights("opposite a", [](V a, V b, V c, V w) { return w.x * b + w.y * c + w.z * a; });
-  by_weights("do not limit", [](V a, V b, V c, V w) {
-    return max(w.x, 0.0) * a + max(w.y, 0.0) * b + max(w.z, 0.0) * c;
+  point_of("opposite a", [](Uv at, V a, V b, V c, Uv p, Uv q, Uv r) {
+    return solution_2::point_of(at, b, c, a, p, q, r);
   });
   point_of("subtract it", [](Uv at, V a, V b, V c, Uv p, Uv q, Uv r) {
     return solution_2::point_of({0, 0}, a, b, c, p, q, r);

@@ -36,16 +36,10 @@ TEST_CASE("09: strangers' answers get their words") {
     });
   };
   by_ways("no level is finer", [](V p, V q) { return log2(max(length(p), length(q))); });
-  by_ways("the longer way", [](V p, V q) { return log2(max(1.0, length(p))); });
-  by_ways("root of the sum", [](V p, V q) { return log2(max({1.0, dot(p, p), dot(q, q)})); });
+  by_ways("the longer way", [](V p, V) { return log2(max(1.0, length(p))); });
   level_for("across the seam", [](Uv here, Uv right, Uv below, int width, int height) {
     const D p = std::hypot((right.u - here.u) * width, (right.v - here.v) * height);
     const D q = std::hypot((below.u - here.u) * width, (below.v - here.v) * height);
     return max(0.0, log2(max(p, q)));
-  });
-  level_for.right([](Uv here, Uv right, Uv below, int width, int height) {  // by halving
-    D longer = max(1.0, exp2(solution_3::level_for(here, right, below, width, height))), level = 0;
-    for (; longer >= 2; longer /= 2) ++level;
-    return level + std::log(longer) / std::log(2.0);
   });
 }

@@ -94,41 +94,50 @@ constexpr Place<Vec3d> uv_of_places[] = {
     {"at the north pole v is 1, also where rounding made y more than 1", {{1e-12, 1 + 0x1p-52, 0}}},
 };
 
-/// By what other uses of the formulas take for the direction after the walk.
-Slips<Vec3d> wrong_walks(Vec3d p, Vec3d center, double radius, double du, double dv) {
-  const auto v_of = [](double y) { return acos(clamp(-y, -1., 1.)) / pi; };
+Vec3d right_walk(Vec3d p, Vec3d center, double radius, double du, double dv) {
+  const Place2 uv = uv_rtiow(p - center);
+  return center + direction_rtiow(Place2{uv.u + du, uv.v + dv}) * radius;
+}
+/// With this function from -y to the angle from the south pole.
+Slips<Vec3d> wrong_walks(Vec3d p, Vec3d center, double radius, double du, double dv,
+                         double (*from_south)(double down)) {
   const auto uv = [=](const Vec3d& d) {
-    return Place2{0.5 - atan2(d.z, d.x) / (2 * pi), v_of(d.y)};
+    return Place2{0.5 - atan2(d.z, d.x) / (2 * pi), from_south(-d.y) / pi};
   };
+  const auto on = [=](const Vec3d& direction) { return center + direction * radius; };
   const auto walk = [&](const Vec3d& d, double east, double north) {
     const auto [u, v] = uv(d);
     return direction_rtiow(Place2{u + east, v + north});
   };
-  const auto on = [=](const Vec3d& direction) { return center + direction * radius; };
-  const Vec3d d = (p - center) * (1 / radius);
+  const Vec3d away = p - center, d = away * (1 / radius), to = walk(d, du, dv);
   const auto [u, v] = uv(d);
   const auto from = [&](double other_u, double other_v) {
     return on(direction_rtiow(Place2{other_u + du, other_v + dv}));
   };
-  const Vec3d to = walk(d, du, dv), not_moved = walk(p * (1 / radius), du, dv);
-  const double wide = sin(pi * (v + dv));
+  /// By the angles phi and theta, and this distance from the axis.
+  const auto by = [=](double phi, double theta, double wide) {
+    return on({-wide * cos(phi), -cos(theta), wide * sin(phi)});
+  };
+  const double phi = 2 * pi * (u + du), theta = pi * (v + dv);
+  Slips<Vec3d> wrong;
+  for (const Vec3d& start : {p * (1 / radius), p, p * (1 / length(p))}) {
+    const Vec3d arrived = walk(start, du, dv);
+    wrong += {"subtract the center from p first, and add it to the place at the end",
+              {on(arrived), arrived * radius, arrived}};
+  }
   return {
-      {"subtract the center from p first, and add it to the place at the end",
-       {on(not_moved), to * radius, not_moved * radius, to, on(walk(p, du, dv)), walk(p, du, dv)}},
+      wrong,
+      {"subtract the center from p first, and add it to the place at the end", {to * radius, to}},
       {"the formulas are for radius 1: divide p - center by the radius, multiply at the end",
-       {on(walk(p - center, du, dv)), center + to, center + walk(p - center, du, dv)}},
+       {on(walk(away, du, dv)), center + to, center + walk(away, du, dv)}},
       {"you go west: u grows to the east", on(walk(d, -du, dv))},
       {"you go south: v grows to the north", {on(walk(d, du, -dv)), on(walk(d, -du, -dv))}},
-      {"u runs from 0 to 1 in a whole turn: in radians this is 2 pi",
+      {"u runs from 0 to 1 in a whole turn, 2 pi, and v in half a turn, pi",
        {on(walk(d, du / 2, dv)), on(walk(d, du / (2 * pi), dv)), on(walk(d, du / 360, dv)),
-        from(0.5 - atan2(d.z, d.x) / pi, v), from(0.5 - atan2(d.z, d.x), v)}},
-      {"v runs from 0 to 1 in half a turn: in radians this is pi",
-       {on(walk(d, du, 2 * dv)), on(walk(d, du, dv / pi)), on(walk(d, du, dv / 180)),
-        from(u, acos(clamp(-d.y, -1., 1.))), from(u, v / 2)}},
-      {"at the pole acos and asin can be NaN: limit y to -1 and 1, or use atan2",
-       from(u, acos(-d.y) / pi)},
-      {"x and z lack the factor sin(pi v): your ant leaves the sphere",
-       on({-cos(2 * pi * (u + du)), -cos(pi * (v + dv)), sin(2 * pi * (u + du))})},
+        from(u + 0.5 - atan2(d.z, d.x) / (2 * pi), v), on(walk(d, du, 2 * dv)),
+        on(walk(d, du, dv / pi)), on(walk(d, du, dv / 180)), from(u, pi * v), from(u, v / 2),
+        by(u + du, v + dv, sin(v + dv)), by(pi * (u + du), theta, sin(theta))}},
+      {"x and z lack the factor sin(pi v): your ant leaves the sphere", by(phi, theta, 1)},
       {"v grows with the angle from the south pole, and not with the height",
        {from(u, (d.y + 1) / 2), on({to.x, d.y + 2 * dv, to.z}), on({to.x, d.y + dv, to.z}),
         on({to.x, 2 * (v + dv) - 1, to.z})}},
@@ -137,15 +146,19 @@ Slips<Vec3d> wrong_walks(Vec3d p, Vec3d center, double radius, double du, double
       {"with du = dv = 0 yours is not p: one of the ways has another sign, or lacks the 1/2",
        {from(u + 0.5, v), on({to.x, to.y, -to.z}), on({-to.x, to.y, to.z}), from(-u, v),
         on({to.x, -to.y, to.z}), from(u, 1 - v), from(0.5 - atan2(d.x, d.z) / (2 * pi), v),
-        on({to.z, to.y, to.x}),
-        on({-wide * cos(2 * pi * (u + du)), to.y, wide * cos(2 * pi * (u + du))})}},
-      {"both du and dv belong to the walk", {on(walk(d, du, 0)), on(walk(d, 0, dv)), p}},
+        on({to.z, to.y, to.x})}},
+      {"u goes on beyond the edge of the map: do not limit it",
+       by(2 * pi * clamp(u + du, 0., 1.), theta, sin(theta))},
   };
 }
-
-Vec3d right_walk(Vec3d p, Vec3d center, double radius, double du, double dv) {
-  const Place2 uv = uv_rtiow(p - center);
-  return center + direction_rtiow(Place2{uv.u + du, uv.v + dv}) * radius;
+Slips<Vec3d> wrong_or_not_limited(Vec3d p, Vec3d center, double radius, double du, double dv) {
+  const double not_a_number_at_the_pole = 0 * acos((p.y - center.y) / radius);
+  return {
+      {"at the pole acos and asin can be NaN: limit y to -1 and 1, or use atan2",
+       right_walk(p, center, radius, du, dv) * (1 + not_a_number_at_the_pole)},
+      wrong_walks(p, center, radius, du, dv, [](double y) { return acos(clamp(y, -1., 1.)); }),
+      wrong_walks(p, center, radius, du, dv, [](double y) { return acos(y); }),
+  };
 }
 constexpr Vec3d zero{0, 0, 0}, off{1, 2, 3};
 constexpr Place<Vec3d, Vec3d, double, double, double> after_walk_places[] = {
@@ -218,7 +231,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "02",
       {exercise(chapter_02::uv_of, picture<Lesson>(), {right_place, wrong_places, uv_of_places}),
-       exercise(after_walk, picture<Lesson>(), {right_walk, wrong_walks, after_walk_places}),
+       exercise(after_walk, picture<Lesson>(),
+                {right_walk, wrong_or_not_limited, after_walk_places}),
        exercise(as_bricks, picture<Lesson>({}, 22),
                 {right_bricks, wrong_bricks, as_bricks_places, within_two_squares})},
       {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "

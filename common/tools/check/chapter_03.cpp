@@ -132,7 +132,7 @@ constexpr Place<double, int, double, double> column_of_places[] = {
 };
 
 Slips<int> wrong_in_picture(double v, int n) {
-  const double part = 1 - v, inside = clamp(v, 0.0, 1.0);
+  const double part = 1 - v;
   const int up = cut_off(v * n), down = cut_off(part * n), row = n - 1 - up;
   const auto last = [&](int x) { return clamp(x, 0, n - 1); };
   const Slips<int> table = {
@@ -149,22 +149,7 @@ Slips<int> wrong_in_picture(double v, int n) {
        {n - 1 - cut_off(v) * n, cut_off(part) * n, n - 1 - last(cut_off(v) * n)}},
       {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height", cut_off(1 - v * n)},
   };
-  return {
-      limited(table, n),
-      {"std::clamp(row, 0, height - 1) limits the number",
-       {{"at v = 1 your row is in the picture above", row},
-        {"at v = 0 your row is in the picture below", down},
-        {"it can be more than height - 1",
-         {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n),
-          clamp(down, 0, n)}},
-        {"it can be less than 0, at v = 1",
-         {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n), n - 1 - clamp(up, 0, n)}},
-        {"you have v = 1, but a v above 1 or below 0 goes on", v == 1 ? 0 : row},
-        {"beyond the ends you begin again at the other end",
-         {n - 1 - up % n, row % n, (n + row) % n, down % n, (n - up) % n,
-          n - 1 - cut_off(fraction(v) * n)}},
-        {"std::abs makes another row of a number below 0", abs(row)}}},
-  };
+  return limited(table, n);
 }
 
 int right_row(double v, int n, int picture) {
@@ -186,6 +171,11 @@ Slips<int> wrong_rows(double v, int n, int picture) {
   };
 }
 
+std::string at_the_ends(double v, int /*n*/, int /*picture*/) {
+  return v > 0 && v < 1 ? ""
+                        : "from v = 1 on it is the picture's top row, up to v = 0 the bottom "
+                          "one: limit the number before you add those above";
+}
 constexpr Place<double, int, int> row_of_places[] = {
     {"of 4 rows, v = 0.8 is in the top row: in picture 0 that is number 0", {0.8, 4, 0}},
     {"in picture 1 it is number 4", {0.8, 4, 1}},
@@ -294,7 +284,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
                  column_of_places,
                  {},
                  [](double, int n, double, double) { return n; }}),
-       exercise(row_of, globe(32, 0, 0, 1), {right_row, wrong_rows, row_of_places}),
+       exercise(row_of, globe(32, 0, 0, 1),
+                {right_row, wrong_rows, row_of_places, {}, {}, at_the_ends}),
        exercise(color_of, globe(510),
                 {[](const Bytes& b, int row_bytes, int column, int row) {
                    const int first = row * row_bytes + 3 * column;

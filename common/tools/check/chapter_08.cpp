@@ -105,7 +105,8 @@ Slips<bool> wrong_hits(const Window& corners) {
   };
   const auto same = [&](const std::vector<double>& of) {
     const bool left = all(of, std::greater_equal()), right = all(of, std::less_equal());
-    return std::vector<bool>{left != right, left || right};  // one also without an area
+    return std::vector<bool>{left != right, left || right,  // without an area, too; or no edge
+                             all(of, std::greater()) || all(of, std::less())};
   };
   const bool left = all(sides, std::greater()), right = all(sides, std::less());
   const bool on_left = all(sides, std::greater_equal()), on_right = all(sides, std::less_equal());
@@ -165,7 +166,6 @@ Slips<Vec3d> wrong_points(Place2 at, Vec3d a, Vec3d b, Vec3d c, Place2 uv_a, Pla
   const auto area = [](Place2 p, Place2 q, Place2 r) {
     return (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
   };
-  const auto away = [=](Place2 p) { return std::hypot(p.u - at.u, p.v - at.v); };
   const auto shares = [=](double x, double y, double z, double whole) {
     return weighed(x / whole, y / whole, z / whole);
   };
@@ -175,7 +175,6 @@ Slips<Vec3d> wrong_points(Place2 at, Vec3d a, Vec3d b, Vec3d c, Place2 uv_a, Pla
   const double o_bc = area(zero, uv_b, uv_c), o_ca = area(zero, uv_c, uv_a),
                o_ab = area(zero, uv_a, uv_b);
   const double sizes = abs(bc) + abs(ca) + abs(ab);
-  const Place2 turned{at.v, at.u};
   return {
       {"the weight of a is the share of the small triangle opposite a: `at`, b and c",
        {weighed(z, x, y), weighed(y, z, x), weighed(x, z, y), weighed(y, x, z), weighed(z, y, x)}},
@@ -192,15 +191,11 @@ Slips<Vec3d> wrong_points(Place2 at, Vec3d a, Vec3d b, Vec3d c, Place2 uv_a, Pla
       {"beyond an edge the plane goes on: do not limit the weights",
        {weighed(max(x, 0.), max(y, 0.), max(z, 0.)),
         weighed(clamp(x, 0., 1.), clamp(y, 0., 1.), clamp(z, 0., 1.))}},
-      {"this is right for the corners (0, 0), (1, 0) and (0, 1) alone",
+      {"this is right if the edges from a run along u and along v, as from (0, 0)",
        {a + (b - a) * at.u + (c - a) * at.v,
-        a + (b - a) * (at.u - uv_a.u) + (c - a) * (at.v - uv_a.v)}},
-      {"all weights are 1/3: that is right in the middle alone", weighed(1. / 3, 1. / 3, 1. / 3)},
-      {"weights are shares of areas, not of distances",
-       {shares(away(uv_a), away(uv_b), away(uv_c), away(uv_a) + away(uv_b) + away(uv_c)),
-        weighed(1 - x, 1 - y, 1 - z)}},
-      {"u and v of `at` are exchanged",
-       shares(area(turned, uv_b, uv_c), area(turned, uv_c, uv_a), area(turned, uv_a, uv_b), whole)},
+        a + (b - a) * (at.u - uv_a.u) + (c - a) * (at.v - uv_a.v),
+        a + (b - a) * ((at.u - uv_a.u) / (uv_b.u - uv_a.u)) +
+            (c - a) * ((at.v - uv_a.v) / (uv_c.v - uv_a.v))}},
       {"an edge has the wrong direction: go around, from b to c, from c to a, from a to b",
        {weighed(x, -y, z), weighed(x, -y, 1 - x + y), shares(bc, -ca, ab, bc - ca + ab)}},
   };
@@ -248,20 +243,16 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"the ray is inside a triangle, corners counterclockwise: a hit", moved(0, 0)},
       {"the corners run clockwise: a hit, too", Window{{-1, -1, 0}, {0, 3, 0}, {2, -1, 0}}},
       {"the ray is right of the triangle: a miss", moved(-5, 0)},
-      {"the ray is left of the triangle: a miss", moved(5, 0)},
-      {"the ray is above the triangle: a miss", moved(0, -5)},
       {"the ray is below the triangle: a miss", moved(0, 5)},
       {"above an edge, but in the box around the triangle: a miss", moved(-1.5, -2)},
       {"clockwise, the ray is right of it: a miss", Window{{-6, -1, 0}, {-5, 3, 0}, {-3, -1, 0}}},
       {"inside of five corners: a hit", moved_house(0, 0)},
       {"inside of five corners, beyond the first three: a hit", moved_house(1.5, -0.5)},
       {"above the roof of five corners: a miss", moved_house(-1.5, -2.5)},
-      {"left of five corners: a miss", moved_house(3, 0)},
       {"exactly on an edge of five corners: a hit", moved_house(0, 2)},
       {"exactly on that edge of a neighbor: a hit, too", Window{{-2, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
       {"exactly through a corner: a hit", moved_house(0, -3)},
       {"on the line through an edge, but outside: a miss", Window{near, far, top}},
-      {"the same with its last edge: a miss", Window{far, top, near}},
       {"from the side, all on a line beside the ray: a miss",
        Window{{-1, 1, 0}, {1, 1, 0}, {3, 1, 0}}},
       {"from the side, all on a line through the ray: a miss",

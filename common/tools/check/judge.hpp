@@ -148,7 +148,8 @@ struct Law {
   std::function<Slips<Out>(Args...)> slips;
   std::span<const Place<std::decay_t<Args>...>> places;
   std::function<Out(const Out&, Args...)> seen{};  ///< what of a value counts; empty: all of it
-  std::function<int(Args...)> count{};  ///< how many there are, where the value numbers one
+  std::function<int(Args...)> count{};         ///< how many there are, where the value numbers one
+  std::function<std::string(Args...)> edge{};  ///< the word of values that are wrong there alone
 };
 
 /// A verdict in words.
@@ -301,6 +302,7 @@ template <class Out, class... Args>
     return law.seen ? std::apply(at, law.places[place].at) : value;
   };
   std::vector<Out> all_right, yours;
+  std::string edge;
   Slips<Out> of_parts;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Out value = values[i];
@@ -310,6 +312,8 @@ template <class Out, class... Args>
     all_right.push_back(seen(right, i));
     yours.push_back(seen(value, i));
     if (alike<Out>(all_right.back(), yours.back())) continue;
+    const std::string word = law.edge ? std::apply(law.edge, law.places[i].at) : "";
+    edge = verdict.right || edge == word ? word : "";
     if (verdict.right) {
       verdict.right = false;
       verdict.law = law.places[i].law;
@@ -336,6 +340,7 @@ template <class Out, class... Args>
     verdict.mistake = slip.word;
     break;
   }
+  if (verdict.mistake.empty()) verdict.mistake = edge;
   if constexpr (!std::is_same_v<Out, bool>) {
     verdict.fact = factor_of(all_right, yours);
     if (!verdict.mistake.empty()) return verdict;
