@@ -3,6 +3,7 @@
 #include "09_texture_filtering/sheet.hpp"
 #include "engine/run/filter_options.hpp"
 #include "exercises.hpp"
+#include "scene/stage.hpp"
 
 namespace texmap::chapter_09 {
 
@@ -21,7 +22,7 @@ struct FilteredTexture : texmap::FilteredTexture {
   }
   Color<Dual<double>> operator()(const Uv<Dual<double>>& uv) const {
     if (!level_for) return texmap::FilteredTexture::operator()(uv);
-    const auto& [u, v] = uv;
+    const Dual<double> u = uv.u, v = uv.v;
     const PyramidLevel<int>& whole = pyramid.levels.front();
     const auto neighbor = [&](double du, double dv) {
       return Uv<double>{check::fraction(u.value + clamp(du, -0.4, 0.4)), v.value + dv};
