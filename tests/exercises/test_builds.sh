@@ -9,6 +9,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/tools" "$work/first home/chapters/01_plain_spheres" "$work/first home/chapters/02_a"
 cp "$root/course" "$work/first home"
+mkdir -p "$work/first home/common/tools/check"
+cp "$root"/common/tools/check/compiler_words.* "$work/first home/common/tools/check"
 : >"$work/first home/chapters/02_a/main.cpp"
 cat >"$work/tools/cmake" <<'END_OF_TOOL'
 #!/bin/sh
@@ -16,6 +18,7 @@ case "$*" in
   --preset*) mkdir -p build/learn/bin && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/learn/CMakeCache.txt && echo gallery: >build/learn/Makefile ;;
   *13_speed*) sh -c 'n=0; while [ $((n += 1)) -le "$BESIDE" ]; do : >alive; sleep 0.1; done' && echo "warning: beside" ;;
   *draw_02*) sleep 0.5 && echo "drawn or not" && exit "$LESSON" ;;
+  *exercise_01_1*) [ "$LC_ALL" = C ] && cat error && exit 1 ;;
   --build*)
     : >made
     printf '#!/bin/sh\necho drawn\n' >build/learn/bin/01_plain_spheres && chmod +x build/learn/bin/01_plain_spheres
@@ -52,7 +55,7 @@ BESIDE=20 LESSON=0 ./course >said || fail "it stopped: $(cat said)"
 grep -q "warning: beside" build/learn/gallery.log || fail "the log lacks what the build beside said"
 : >build/learn/mark
 expect "the second time" kept silent
-mkdir common tests assets
+mkdir tests assets
 : >CMakeLists.txt
 expect "with all folders" kept silent
 rm made
@@ -61,6 +64,19 @@ expect "where nothing was saved" kept silent
 : >chapters/02_a/main.cpp
 expect "where a file was saved" kept silent
 [ -e made ] || fail "a file was saved, and it was not built again"
+# A student's file that does not compile, the first time and later, and with all that the compiler says.
+file=chapters/01_plain_spheres/exercises/1_is_it_met.hpp
+mkdir -p "${file%/*}"
+printf '#include "exercise.hpp"\ndouble f(double x) { return g(x); }\n' >"$file"
+printf '[ 9%%] Building\n%s/%s:2:29: error: %s\n  note: and more\n' "$PWD" "$file" "'g' was not declared in this scope" >error
+for time in first second; do
+  said=$(./course --build learn exercise_01_1 1 "$file" "HOW" 2>&1) && fail "the $time build of an error is no failure"
+  case "$said" in *"g is not known here"*HOW*) ;; *) fail "the $time build says: $said" ;; esac
+  case "$said" in *"and more"*) fail "the $time build shows all" ;; esac
+  : >build/learn/built/exercise_01_1
+done
+TEXMAP_VERBOSE=1 ./course --build learn exercise_01_1 1 "$file" "HOW" 2>&1 | grep -q "and more" || fail "--verbose does not show all"
+rm -r "${file%/*}"
 for other in grade/build release; do
   mkdir -p "build/$other"
   cp build/learn/CMakeCache.txt "build/$other"

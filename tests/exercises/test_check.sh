@@ -29,12 +29,12 @@ folder=chapters/02_checkerboard_uv/exercises
 first=$folder/1_where_on_the_map.hpp
 second=$folder/2_a_walk_on_the_map.hpp
 
-# ./course --build PRESET PROGRAM STATUS: writes the program.
+# ./course --build PRESET PROGRAM STATUS FILE COMMAND: writes the program.
 cat >course <<'END'
 #!/bin/sh
 mkdir -p build/learn/bin
 file=$(echo chapters/02_checkerboard_uv/exercises/"${3##*_}"_*.hpp)
-! grep -q SYNTAX "$file" 2>/dev/null || { echo "$file:1: error: what is SYNTAX?" >&2; exit "$4"; }
+! grep -q SYNTAX "$file" 2>/dev/null || { echo "$5:1: error: what is SYNTAX? ${TEXMAP_VERBOSE:-$6}" >&2; exit "$4"; }
 cat >"build/learn/bin/$3" <<PROGRAM
 #!/bin/sh
 if grep -q LOOP $file; then while :; do :; done; fi
@@ -88,8 +88,10 @@ expect "the list shows it" 0 "[x] 02.1  where on the map?
 echo "// one more line" >>"$first"
 expect "a change is seen" 0 "[?] 02.1"
 echo SYNTAX >>"$first"
-expect "a file that does not compile" 1 "error: what is SYNTAX?
+expect "a file that does not compile" 1 "$first:1: error: what is SYNTAX? ./course check 02.1 --verbose
 02.1  where on the map? does not compile" 02.1
+expect "the same with all that the compiler says" 1 "error: what is SYNTAX? 1
+02.1  where on the map? does not compile" 2.1 --verbose
 expect "then it is open again" 0 "[ ] 02.1"
 expect "reset keeps the student's lines" 0 "Your lines are kept in out/exercises/02.1/" reset 02.1
 holds "all of them" grep -q SYNTAX out/exercises/02.1/before_reset_*.hpp

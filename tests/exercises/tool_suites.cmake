@@ -14,6 +14,10 @@ if(SH AND NOT TEXMAP_INSTRUMENT)
   add_check(check_of_fraction exercises check_03 --question 03.b --answer 0.006
     WITH PASS_REGULAR_EXPRESSION "yours is a fraction: multiply by 100")
   add_check(check_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
+  if(TAKES_GNU_OPTIONS)
+    add_check(compiler_words "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_compiler_words.sh" "${CMAKE_SOURCE_DIR}"
+      "${CMAKE_CXX_COMPILER}")
+  endif()
   add_check(watch_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
   add_check(course_builds "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_builds.sh" "${CMAKE_SOURCE_DIR}")
 endif()

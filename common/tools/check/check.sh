@@ -13,6 +13,7 @@ usage: ./course check                  all exercises, and how far you are
        ./course check 02.1             check one: words, a picture with your function, a page out/exercises/02.1/index.html
        ./course check 02.a 0.25        check your answer to a question; after the second wrong one it shows the right one; without a
                                        number it asks the question
+       ./course check 02.1 --verbose   the same, with all that the compiler says of a file that does not compile
        ./course check hint 02.1        a hint; ask again for the next one
        ./course check solution 02.1    a solution
        ./course check reset 02.1       begin again; your lines are kept in out/exercises/02.1/
@@ -112,8 +113,8 @@ list() {
 check() {
   file_of "$1"
   program=exercise_$(printf '%s' "$1" | tr . _)
-  ./course --build learn "$program" 1 || {
-    printf '%s does not compile; the compiler says why above\n' "$(head_of "$1")"
+  ./course --build learn "$program" 1 "$file" "./course check $1 --verbose" || {
+    printf '%s does not compile; see above\n' "$(head_of "$1")"
     remember "$1" 1
     status=1
     return
@@ -146,6 +147,10 @@ question() {
   exit "$status"
 }
 
+if [ "$#-${2:-}" = 2---verbose ]; then
+  export TEXMAP_VERBOSE=1
+  set -- "$1"
+fi
 # 2.1 means 02.1.
 case "${1:-}" in
   [0-9] | [0-9].*) first=0$1 && shift && set -- "$first" "$@" ;;
