@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 #include "number/number.hpp"
+#include "number/refuse.hpp"
 
 namespace texmap {
 
@@ -27,12 +27,12 @@ class CumulativeTable {
     double total = 0;
     std::uint32_t things = 0;  // with a weight
     for (const double weight : weights) {
-      if (!(weight >= 0)) throw std::invalid_argument("a weight is below 0");
+      if (!(weight >= 0)) refuse_argument("a weight is below 0");
       total += weight;
       things += weight > 0 ? 1 : 0;
     }
     if (things == 0 || !(total < infinity<double>()) || weights.size() > steps / 2)
-      throw std::invalid_argument("weights that nothing can be drawn by");
+      refuse_argument("weights that nothing can be drawn by");
     const double shared = steps - things;
     double sum = 0;  // grows as `total` did, so that it ends there
     std::uint32_t so_far = 0;

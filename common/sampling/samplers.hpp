@@ -2,9 +2,8 @@
 #pragma once
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
-#include <string>
 
+#include "number/refuse.hpp"
 #include "sampling/hash.hpp"
 #include "sampling/point2.hpp"
 #include "sampling/sampler_kind.hpp"
@@ -342,8 +341,8 @@ class Sampler {
  private:
   [[nodiscard]] static std::uint32_t checked(int samples) {
     if (samples < 1 || samples > most_samples) {
-      throw std::invalid_argument("samples per pixel: " + std::to_string(samples) +
-                                  " is not from 1 to " + std::to_string(most_samples));
+      refuse_argument("samples per pixel: " + std::to_string(samples) + " is not from 1 to " +
+                      std::to_string(most_samples));
     }
     return static_cast<std::uint32_t>(samples);
   }

@@ -1,7 +1,21 @@
-// The elementary functions of plain numbers that number.hpp declares.
+// The elementary functions of plain numbers that number.hpp declares, and refuse.hpp.
 #include "number/kinds/elementary.hpp"
 
+#include <cstdlib>
+#include <stdexcept>
+
+#include "number/refuse.hpp"
+
 namespace texmap {
+
+void refuse_argument([[maybe_unused]] const std::string& why) {
+#if defined(__cpp_exceptions)
+  throw std::invalid_argument(why);
+#else
+  std::abort();
+#endif
+}
+
 namespace {
 
 /// function(x...), for floats in double.
