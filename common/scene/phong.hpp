@@ -13,10 +13,10 @@ struct PhongMaterial {
   bool blends = false;    ///< the paint is mixed with its light, and not multiplied by it
 };
 
-/// An object of a scene: a sphere, its paint and its material.
-template <class Paint>
+/// An object of a scene: a shape, its paint and its material.
+template <class Paint, class Shape = Sphere<>>
 struct Shiny {
-  Sphere<> shape;
+  Shape shape;
   Paint paint;
   PhongMaterial material{};
 };

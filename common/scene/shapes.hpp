@@ -8,7 +8,7 @@
 namespace texmap {
 
 /// A shape has a distance along a ray (+infinity for a miss), a hit there, and convex(): true if no
-/// ray that leaves it meets it again; what is derived from Sphere says so itself.
+/// ray that leaves it meets it again. What is derived from Sphere has the three of its own.
 /// Lift `outside` by more than the error of the distance, or every point shades itself.
 /// If the ray can see an inner side, the normal there faces the ray. So a mapping cannot use the
 /// normal as a direction, and takes the Hit: see texture/shape_mappings.hpp.

@@ -8,16 +8,15 @@ namespace texmap {
 /// All points at distance `radius` from `center`; none unless radius > 0. Scenes are in double.
 template <class Real = double>
 struct Sphere {
+  using Own = Sphere;  ///< what is derived from it has its own distance_to and hit_at
   Vec3<Real> center;
   Real radius = Real(1);
   SphereForm form = SphereForm::robust;  ///< the formulas for its hit points
   [[nodiscard]] static constexpr bool convex() { return true; }  ///< see scene/shapes.hpp
 };
 
-template <class Type>  // a Sphere, or what is derived from one
-concept SphereLike = requires(const Type& shape) {
-  shape.form;
-};
+template <class Type>
+concept SphereLike = std::is_same_v<typename Type::Own, Type>;
 
 /// 1 / radius, the same in every lane.
 template <class Real, class Other>

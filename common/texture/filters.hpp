@@ -61,10 +61,19 @@ struct Filtered {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (pyramid.levels.empty()) return gray(Real(0));
-    const Uv<Real> from_top = rows_down(uv);
     const PyramidLevel<int>& first = pyramid.levels.front();
     const PyramidLevel<Real> level{Real(first.width), Real(first.height), Real(0)};
-    return filter == Filter::nearest ? nearest(from_top, level) : bilinear(from_top, level);
+    switch (filter) {
+      case Filter::nearest:
+        return nearest(rows_down(uv), level);
+      case Filter::bilinear:
+      case Filter::trilinear:  // of a point these are bilinear
+      case Filter::anisotropic:
+      case Filter::ewa:
+      case Filter::stochastic:
+        break;
+    }
+    return bilinear(rows_down(uv), level);
   }
 
   /// The color of a pixel, by the derivatives of (u, v). It is constant: its derivatives are 0.
@@ -87,8 +96,7 @@ struct Filtered {
       down.u.dy = clamp(down.u.dy, Real(-1), Real(1));
     }
     const PyramidLevel<int>& whole = pyramid.levels.front();
-    const Footprint<Real> footprint = footprint_of(down, Real(whole.width), Real(whole.height));
-    return filtered(rows_down(center), footprint);
+    return filtered(rows_down(center), footprint_of(down, Real(whole.width), Real(whole.height)));
   }
 
   /// The same for a footprint at a place whose v is counted from the top row.

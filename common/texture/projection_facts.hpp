@@ -10,23 +10,23 @@ namespace texmap {
 /// What is fixed for a projection.
 struct ProjectionFacts {
   Projection projection;
-  const char* word;       ///< on the command line
-  double aspect;          ///< width / height of the picture: as published, or as the middle is not
-                          ///< stretched; 1.5 is taken for a cube's six faces (convert_projection)
-  double mean_texel;      ///< steradians of a mean texel, times the number of texels
-  bool is_round = false;  ///< shows nothing outside the ellipse that touches the picture's sides
+  const char* word;   ///< on the command line
+  double aspect;      ///< width / height of the picture: as published, or as the middle is not
+                      ///< stretched; 1.5 is taken for a cube's six faces (convert_projection)
+  bool fills;         ///< its picture; else `shows` finds the outline by unproject
+  double mean_texel;  ///< steradians of a mean texel, times the number of texels
 };
 
 inline constexpr double four_pi = 4 * static_cast<double>(pi_digits);
 /// All projections, in the order of `Projection`.
 inline constexpr std::array<ProjectionFacts, 7> projections = {{
-    {Projection::equirect, "equirect", 2, four_pi},
-    {Projection::plane, "plane", 1, 8, true},  // half the sphere on pi / 4 of the square
-    {Projection::cylinder, "cylinder", static_cast<double>(pi_digits), four_pi},
-    {Projection::cube, "cube", 1.5, four_pi},
-    {Projection::equi_angular, "equi-angular", 1.5, four_pi},
-    {Projection::octahedral, "octahedral", 1, four_pi},
-    {Projection::equal_area, "equal-area", 1, four_pi},
+    {Projection::equirect, "equirect", 2, true, four_pi},
+    {Projection::plane, "plane", 1, false, 8},  // half the sphere on pi / 4 of the square
+    {Projection::cylinder, "cylinder", static_cast<double>(pi_digits), true, four_pi},
+    {Projection::cube, "cube", 1.5, true, four_pi},
+    {Projection::equi_angular, "equi-angular", 1.5, true, four_pi},
+    {Projection::octahedral, "octahedral", 1, true, four_pi},
+    {Projection::equal_area, "equal-area", 1, true, four_pi},
 }};
 static_assert(
     [] {
@@ -39,12 +39,13 @@ static_assert(
   return projections[static_cast<std::size_t>(projection)];
 }
 
-/// Where a layout shows something.
+/// Where a layout shows something: where project leads back from the direction.
 ///
 /// @param margin  also so far outside, as a part of the picture's width or height
 [[nodiscard]] inline bool shows(Projection projection, const Uv<double>& uv, double margin = 0) {
-  return !facts_of(projection).is_round ||
-         sqrt(square(uv.u - 0.5) + square(uv.v - 0.5)) <= 0.5 + margin;
+  if (facts_of(projection).fills) return true;
+  const Uv<double> back = project(projection, unproject(projection, uv));
+  return sqrt(square(uv.u - back.u) + square(uv.v - back.v)) <= margin + 1e-9;
 }
 
 /// How a picture is distorted at a place.

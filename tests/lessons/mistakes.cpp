@@ -7,6 +7,7 @@
 #include "engine/run/texture_file.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
+#include "texture/filters.hpp"
 #include "texture/mapped.hpp"
 
 namespace texmap {
@@ -168,6 +169,27 @@ struct Lesson : LessonHooks, Base {
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
     return gray(find_nearest(std::vector<Painted<Solid, Disk>>{}, ray).distance);
+  }
+};
+#elif MISTAKE == 22
+struct Half : Sphere<> {};
+template <class Real>
+Real distanceto(const Half& half, const Ray<Real>& ray) {
+  return distance_to(static_cast<const Sphere<>&>(half), ray);
+}
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "half a sphere"};
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return gray(find_nearest(std::vector<Painted<Solid, Half>>{}, ray).distance);
+  }
+};
+#elif MISTAKE == 23
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a filter that has no case"};
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return FilteredTexture{}(Uv<Real>{ray.direction.x, ray.direction.y});
   }
 };
 #elif MISTAKE <= 10

@@ -10,6 +10,7 @@ namespace texmap {
 /// A sphere with its inverse radius.
 template <class Real>
 struct PreparedSphere : Sphere<Real> {
+  using Own = PreparedSphere;
   Real inverse;
 };
 template <class Real>

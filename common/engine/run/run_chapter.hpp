@@ -13,6 +13,7 @@
 #include "engine/draw/number_names.hpp"
 #include "engine/fast/box_search.hpp"
 #include "engine/files/save_png.hpp"
+#include "engine/run/check_objects.hpp"
 #include "engine/run/command_line.hpp"
 #include "engine/run/gather_session.hpp"
 #include "engine/run/planned_highlight.hpp"
@@ -232,6 +233,8 @@ template <class Lesson>
     if (!line.parse(argc, argv)) return;
     chosen.check();
     build(lesson, chosen);
+    if constexpr (HasObjects<Lesson> && requires { lesson.stage.camera; })
+      check_objects(lesson.objects, lesson.stage.camera);
     if constexpr (all_numbers && !std::derived_from<Lesson, SheetLesson>) {
       if (measures(lesson, chosen, line, typed_words(argc, argv))) return;
     }
