@@ -157,9 +157,7 @@ struct Lesson : PathLesson, Base {
   static constexpr About about{.idea = "a ray where a path is wanted"};
 };
 #elif MISTAKE == 21
-struct Disk {
-  Point center;
-};
+struct Disk : Sphere<> {};
 template <class Real>
 Real distanec_to(const Disk& disk, const Ray<Real>& ray) {
   return length(number_cast<Real>(disk.center) - ray.origin);
@@ -172,19 +170,6 @@ struct Lesson : LessonHooks, Base {
   }
 };
 #elif MISTAKE == 22
-struct Half : Sphere<> {};
-template <class Real>
-Real distanceto(const Half& half, const Ray<Real>& ray) {
-  return distance_to(static_cast<const Sphere<>&>(half), ray);
-}
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "half a sphere"};
-  template <class Real>
-  Color<Real> operator()(const Ray<Real>& ray) const {
-    return gray(find_nearest(std::vector<Painted<Solid, Half>>{}, ray).distance);
-  }
-};
-#elif MISTAKE == 23
 struct Lesson : LessonHooks, Base {
   static constexpr About about{.idea = "a filter that has no case"};
   template <class Real>

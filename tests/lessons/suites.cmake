@@ -83,7 +83,6 @@ if(TAKES_GNU_OPTIONS)
   set(mapping_to_a_number "a mapping returns a Uv<Real>")
   set(paths_without_objects "a PathLesson has a list of Painted<Paint> in .objects.")
   set(ray_for_a_path "a PathLesson is called with a scene, a PixelPlace<Real> and random numbers")
-  set(derived_without_distance "no matching function for call to .distance_to.const texmap::Half|distance_to.*Half")
   set(filter_without_case "enumeration value .?.?.?cubic.* not handled in switch")
   file(READ "${CMAKE_SOURCE_DIR}/common/texture/filters.hpp" filters)
   string(REPLACE "  nearest, " "  cubic,\n  nearest, " filters "${filters}")
@@ -92,7 +91,7 @@ if(TAKES_GNU_OPTIONS)
   foreach(mistake misspelt_hook misspelt_fact no_hooks no_facts call_that_is_not_const vector_as_color texture_of_numbers
       branch_in_packs branch_in_intervals wave_in_intervals forgotten_build no_call no_stage hook_of_another options_of_nobody group_without_declare
       paint_without_call mapping_to_a_number paths_without_objects ray_for_a_path shape_without_distance
-      derived_without_distance filter_without_case)
+      filter_without_case)
     math(EXPR number "${number} + 1")
     foreach(build TEXMAP_LEARN ALL_NUMBERS)
       if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
