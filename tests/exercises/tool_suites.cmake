@@ -15,8 +15,8 @@ if(SH AND NOT TEXMAP_INSTRUMENT)
     WITH PASS_REGULAR_EXPRESSION "yours is a fraction: multiply by 100")
   add_check(check_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
   if(TAKES_GNU_OPTIONS)
-    add_check(compiler_words "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_compiler_words.sh" "${CMAKE_SOURCE_DIR}"
-      "${CMAKE_CXX_COMPILER}")
+    add_check(compiler_words "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_compiler_words.sh"
+      "${CMAKE_SOURCE_DIR}" "${CMAKE_CXX_COMPILER}")
   endif()
   add_check(watch_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
   add_check(course_builds "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_builds.sh" "${CMAKE_SOURCE_DIR}")

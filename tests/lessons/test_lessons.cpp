@@ -21,20 +21,12 @@ int status_of(const std::string& file) {
 struct Convex : Cylinder {  // as if copied from a rectangle
   [[nodiscard]] static constexpr bool convex() { return true; }
 };
-struct Ball : Sphere<> {};
-double distance_to(const Ball& ball, const Ray<double>& ray) {
-  return distance_to(static_cast<const Sphere<>&>(ball), ray);
-}
-Hit<double> hit_at(const Ball& ball, const Ray<double>& ray, double distance) {
-  return hit_at(static_cast<const Sphere<>&>(ball), ray, distance);
-}
 
 using Picture = Mapped<RtiowMapping, Checkerboard>;
 using Label = Mapped<CylinderMapping, Checkerboard>;
 using Paint = AnyOf<Solid, Picture, Label>;
-using AShape = AnyShape<Sphere<>, Cylinder, Rectangle, Convex, Ball>;
+using AShape = AnyShape<Sphere<>, Cylinder, Rectangle, Convex>;
 
-/// A globe with a picture, and a second object, seen from above.
 struct SecondLesson : LessonHooks {
   static constexpr About about{.idea = "a second object", .numbers = Numbers::only_double};
   Stage stage{.light = {{5, 5, 5}}, .camera = {.eye = {0, 4, 6}, .target = {0, 0, 0}}};
@@ -42,15 +34,10 @@ struct SecondLesson : LessonHooks {
                                                {Cylinder{}, Picture{}}};
   Color<double> operator()(const Ray<double>& ray) const { return stage.sky(ray); }
 };
-std::string refusal_of(const AShape& shape, const Paint& paint) {
+void check_with(const AShape& shape, const Paint& paint) {
   SecondLesson lesson;
   lesson.objects[1] = {shape, paint};
-  try {
-    check_objects(lesson.objects, lesson.stage.camera);
-  } catch (const std::logic_error& error) {
-    return error.what();
-  }
-  return "";
+  check_objects(lesson.objects, lesson.stage.camera);
 }
 
 }  // namespace
@@ -64,14 +51,10 @@ TEST_CASE("a name that promises another kind of picture is refused") {
 }
 
 TEST_CASE("a picture that normals place is refused on a can; so is a can that says it is convex") {
-  const std::string by_normals = "object 1: its picture is placed by its normals";
-  CHECK(refusal_of(Cylinder{}, Picture{}).starts_with(by_normals));
-  CHECK(refusal_of(Rectangle{}, Picture{}).starts_with(by_normals));
-  CHECK(refusal_of(Convex{}, Label{}).starts_with("object 1: convex() is true"));
-  CHECK(refusal_of(Cylinder{}, Label{}).empty());
-  CHECK(refusal_of(Rectangle{.up = {0, 1, 1}}, Solid{}).empty());
-  CHECK(refusal_of(Ball{}, Picture{}).empty());
+  CHECK_THROWS_AS(check_with(Cylinder{}, Picture{}), std::logic_error);
+  CHECK_NOTHROW(check_with(Cylinder{}, Label{}));
+  CHECK_THROWS_AS(check_with(Convex{}, Label{}), std::logic_error);
+  CHECK_NOTHROW(check_with(Rectangle{.up = {0, 1, 1}}, Label{}));
   const test::TemporaryFolder folder;
   CHECK(status_of<SecondLesson>(folder / "can.png") == 1);
-  CHECK(folder.size() == 0);
 }

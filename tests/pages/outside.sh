@@ -33,11 +33,8 @@ cmp drawn_1.ppm drawn_2.ppm || fail "two programs should have drawn the same pic
 [ "$(pixel drawn_1.ppm 0 0)" = " 127 178 255" ] || fail "the corner is$(pixel drawn_1.ppm 0 0)"
 ! grep -E 'stb|doctest|xsimd|TEXMAP' build/CMakeCache.txt || fail "the course asks for packages or has options"
 
-# Another part of the project may add the course again, and no header needs exceptions.
-for header in course/common/math/*.hpp course/common/number/*.hpp course/common/[ps][aceu]*/*.hpp course/common/texture/*.hpp; do
-  echo "#include \"${header#course/common/}\""
-done >all.cpp
-cp CMakeLists.txt once
+# The course may be added twice, and no header needs exceptions.
+(cd course/common && for header in [mnpst]*[a-z]/*.hpp; do echo "#include \"$header\""; done | grep -v tools) >all.cpp
 cat >>CMakeLists.txt <<'END'
 add_subdirectory(course again)
 add_library(every_header OBJECT all.cpp)
@@ -45,7 +42,6 @@ target_link_libraries(every_header PRIVATE texmap::textbook)
 target_compile_options(every_header PRIVATE -fno-exceptions)
 END
 { cmake -B build && cmake --build build; } || fail "the course cannot be added twice, or a header needs exceptions"
-mv once CMakeLists.txt
 
 # The tables of light are linked by who reads them, and by nobody else.
 [ -z "$(find build -name '*light_tables*.o*')" ] || fail "the tables of light were built"

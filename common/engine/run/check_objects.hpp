@@ -24,12 +24,9 @@ template <class... Shapes>
 
 /// True for a paint that takes the normal for the direction of the point.
 template <class Paint>
-[[nodiscard]] bool takes_normal(const Paint& paint) {
-  if constexpr (requires { paint.mapping; }) {
-    return !requires(const Hit<double>& hit) { paint.mapping(hit); };
-  } else {
-    return false;
-  }
+[[nodiscard]] bool takes_normal(const Paint&) {
+  return requires(const Paint& paint) { paint.mapping; }
+  &&!requires(const Paint& paint, const Hit<double>& hit) { paint.mapping(hit); };
 }
 template <class... Paints>
 [[nodiscard]] bool takes_normal(const AnyOf<Paints...>& any) {
@@ -37,12 +34,10 @@ template <class... Paints>
                     static_cast<const std::variant<Paints...>&>(any));
 }
 
-/// Tries what a camera sees: no ray that leaves a convex shape may meet it again, and normals place
-/// no picture on what is no sphere.
-/// Errors: std::logic_error with the object's index in the list.
+/// Errors: std::logic_error if a camera sees a shape that says that it is convex, and is not, or a
+/// picture placed by the normals of what is no sphere.
 template <class Objects>
 void check_objects(const Objects& objects, const Camera& camera) {
-  if constexpr (SphereLike<std::remove_cvref_t<decltype(objects.front().shape)>>) return;
   const auto refuse_if = [](bool refused, int index, const char* why) {
     if (refused) throw std::logic_error("object " + std::to_string(index) + ": " + why);
   };
@@ -51,15 +46,13 @@ void check_objects(const Objects& objects, const Camera& camera) {
     const Ray<double> ray = ray_through<double>(view, i % view.width, i / view.width % view.height);
     for_each_hit(objects, ray, find_nearest(objects, ray), [&](const auto& object, auto hit, bool) {
       refuse_if(roundness(object.shape) == 0 && takes_normal(object.paint), hit.object,
-                "its picture is placed by its normals, as on a sphere: take a mapping of the Hit, "
-                "such as CylinderMapping in texture/shape_mappings.hpp");
+                "it is no sphere: place its picture by a mapping of the Hit, as CylinderMapping");
       if (roundness(object.shape) == 2 || !object.shape.convex()) return;
       const double u = 0.7548776662466927 * i, v = 0.5698402909980532 * i;  // Roberts' sequence
       const Vec3d onward = cosine_direction(hit.normal, Point2<double>{u - floor(u), v - floor(v)});
       refuse_if(distance_to(object.shape, Ray<double>{hit.outside, onward}) < infinity<double>(),
                 hit.object,
-                "convex() is true, but a ray that leaves it meets it again: is the shape open or "
-                "bent inward, or is `outside` not lifted enough? (scene/shapes.hpp)");
+                "convex() is true, but a ray that leaves it meets it again: see scene/shapes.hpp");
     });
   }
 }

@@ -233,7 +233,7 @@ template <class Lesson>
     if (!line.parse(argc, argv)) return;
     chosen.check();
     build(lesson, chosen);
-    if constexpr (HasObjects<Lesson> && requires { lesson.stage.camera; })
+    if constexpr (requires { requires !SphereLike<decltype(lesson.objects.front().shape)>; })
       check_objects(lesson.objects, lesson.stage.camera);
     if constexpr (all_numbers && !std::derived_from<Lesson, SheetLesson>) {
       if (measures(lesson, chosen, line, typed_words(argc, argv))) return;

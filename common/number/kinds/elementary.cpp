@@ -7,13 +7,11 @@
 #include "number/refuse.hpp"
 
 namespace texmap {
-
 void refuse_argument([[maybe_unused]] const std::string& why) {
 #if defined(__cpp_exceptions)
   throw std::invalid_argument(why);
-#else
-  std::abort();
 #endif
+  std::abort();
 }
 
 namespace {

@@ -147,10 +147,7 @@ question() {
   exit "$status"
 }
 
-if [ "$#-${2:-}" = 2---verbose ]; then
-  export TEXMAP_VERBOSE=1
-  set -- "$1"
-fi
+[ "$#-${2:-}" != 2---verbose ] || { export TEXMAP_VERBOSE=1 && set -- "$1"; }
 # 2.1 means 02.1.
 case "${1:-}" in
   [0-9] | [0-9].*) first=0$1 && shift && set -- "$first" "$@" ;;
