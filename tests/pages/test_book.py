@@ -301,6 +301,8 @@ def faults_of_files(out):
     size = sum(path.stat().st_size for path in out.rglob("*") if path.is_file()
                and path not in drawn) // 1024
     print(f"the book: {size} KB")
+    if (out / "book.css").stat().st_size > 16384:
+        yield "book.css is larger than 16 KB"
     if size >= MOST_KB:
         yield f"the book has {size} KB, more than {MOST_KB}"
     # A picture without its size moves the text when it arrives.
@@ -310,12 +312,12 @@ def faults_of_files(out):
             if page.name not in ("index.html", "print.html",
                                  "gallery.html") and " width=" not in picture:
                 yield f"{page.name}: a picture without a width: {picture[:120]}"
-    # The lines of all sources have numbers, which stand in book.css; a page has 18 lines around its
-    # source.
-    numbers = len(re.findall(r"\d\\a", (out / "book.css").read_text()))
+    # The lines of all sources have numbers, which stand in source.css; a page has 19 lines around
+    # its source.
+    numbers = len(re.findall(r"\d\\a", (out / "source.css").read_text()))
     longest = max(page.read_text().count("\n") for page in (out / "source").glob("*.html"))
     if numbers <= longest - 25:
-        yield f"book.css numbers {numbers} lines, and a source page has {longest}"
+        yield f"source.css numbers {numbers} lines, and a source page has {longest}"
 
 
 def faults_of_formulas(out):

@@ -47,11 +47,15 @@ def at_all(browser, pixels=PIXELS):
 
 
 def check_numbers(place, browser):
-    """At ten pixels and five distances the module has the numbers and the color that the same code
-    has as a program."""
+    """At ten pixels and five distances, those that the page says, the module has the numbers and
+    the color that the same code has as a program."""
+    said = SLIDER + ".getAttribute('aria-valuetext')"
+    if browser.run(said) != "1,000 radii from the surface":
+        yield "it begins at " + browser.run(said)
     asked, heard = [], []
     for _, numbers in at_all(browser):
-        radii, pixel, color = browser.run(f"""(({{pixel}}) => [10 ** ({SLIDER}.value / 100), pixel,
+        radii, pixel, color = browser.run(f"""(({{pixel}}) =>
+          [Number({said}.split(" ")[0].replaceAll(",", "")), pixel,
           [...{CANVAS}.getContext("2d").getImageData(pixel[1], pixel[2], 1, 1).data].slice(0, 3)])(
             {HERO}.numbers)""")
         asked.append(f"{radii!r} {pixel[0]} {pixel[1]} {pixel[2]}")

@@ -180,11 +180,12 @@ class Book {
     write_live();
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
-    write(out_ / "book.css", contents_of(folder() / "book.css") +
-                                 contents_of(folder() / "sheets.css") + line_numbers());
+    for (const char* const copied : {"book.css", "sheets.css", "cover.js", "favicon.svg"})
+      write(out_ / copied, contents_of(folder() / copied));
+    write(out_ / "sizes.css", sizes_);
+    write(out_ / "source.css", line_numbers());
     write(out_ / "book.js",
           search_index() + contents_of(folder() / "book.js") + contents_of(folder() / "sheets.js"));
-    write(out_ / "cover.js", contents_of(folder() / "cover.js"));
   }
 
   /// Links and pictures that lead nowhere.
@@ -362,19 +363,59 @@ class Book {
     return html + "</ul>\n";
   }
 
+  /// The begin of a page: servers may forbid styles and pictures that are no files.
+  static std::string head_of(const std::string& title, const std::vector<const char*>& sheets,
+                             const std::string& up = "") {
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+        escaped_markup(title) + "</title>\n<link rel=\"icon\" href=\"" + up + "favicon.svg\">\n";
+    for (const char* const sheet : sheets)
+      html += "<link rel=\"stylesheet\" href=\"" + up + sheet + "\">\n";
+    return html + "</head>\n<body>\n";
+  }
+
+  /// The page with rules of sizes.css in place of styles within its tags.
+  std::string with_rules(std::string html) {
+    const std::string begin = " style=\"";
+    for (std::size_t at = 0; (at = html.find(begin, at)) != std::string::npos;) {
+      const std::string style = between(html.substr(at), begin, "\"");
+      const auto [rule, is_new] = rules_.insert({style, rules_.size()});
+      const std::string name = text("data-size=\"%zu\"", rule->second);
+      if (is_new) sizes_ += "[" + name + "] { " + style + "; }\n";
+      html.replace(at + 1, begin.size() + style.size(), name);
+    }
+    return html;
+  }
+
+  /// For the bar: this chapter between its neighbors.
+  [[nodiscard]] std::string near(std::size_t i) const {
+    const auto link = [&](std::size_t to, const char* rel, const char* before, const char* after) {
+      if (to >= pages_.size() || pages_[to].chapter.empty()) return std::string();
+      return text("<a rel=\"%s\" href=\"%s\" title=\"", rel, pages_[to].file.c_str()) +
+             escaped_markup(pages_[to].title()) + "\">" + before + pages_[to].chapter.substr(0, 2) +
+             after + "</a>\n";
+    };
+    return "<nav class=\"near\" aria-label=\"Chapters\">\n" + link(i - 1, "prev", "← ", "") +
+           "<b>" + pages_[i].chapter.substr(0, 2) + "</b>\n" + link(i + 1, "next", "", " →") +
+           "</nav>\n";
+  }
+
   /// A whole HTML page.
   /// @param up  the way from it to the book's folder: "" or "../"
   [[nodiscard]] std::string framed(const std::string& title, const std::string& body,
-                                   std::size_t current, const std::string& up = "") const {
+                                   std::size_t current, const std::string& up = "") {
+    const std::string sized_body = with_rules(body);
+    std::vector<const char*> sheets{"book.css"};
+    if (!up.empty()) sheets.push_back("source.css");
+    if (body.find("class=\"sheet ") != std::string::npos) sheets.push_back("sheets.css");
+    if (sized_body != body) sheets.push_back("sizes.css");
     std::string html =
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>" +
-        escaped_markup(title) + "</title>\n<link rel=\"stylesheet\" href=\"" + up +
-        "book.css\">\n<link rel=\"icon\" href=\"data:,\">\n</head>\n<body>\n"
+        head_of(title, sheets, up) +
         "<a class=\"skip\" href=\"#main\">To the text</a>\n<header>\n<a class=\"home\" href=\"" +
         up + "index.html\">Texture Mapping, Step by Step</a>\n<a href=\"" + up +
         "index.html#contents\">Contents</a>\n";
+    if (current < pages_.size() && !pages_[current].chapter.empty()) html += near(current);
     if (page_of("docs/symptoms.md") != nullptr)
       html += "<a href=\"" + up + "symptoms.html\">My Earth is …</a>\n";
     if (up.empty()) {
@@ -387,7 +428,7 @@ class Book {
     html += "</header>\n<main id=\"main\"";
     if (!live.empty() && !fs::exists(playground() / own_script(live)))
       html.append(" data-live=\"").append(live).append("\"");
-    html.append(">\n").append(body).append("</main>\n");
+    html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (body.find("class=\"hero\"") != std::string::npos) {
       html +=
@@ -588,7 +629,7 @@ class Book {
   [[nodiscard]] std::string hero() {
     const fs::path map = root_ / "assets/earth.png";
     if (!fs::exists(map)) return "<h1>Texture Mapping, Step by Step</h1>\n";
-    const double radii = std::pow(10, 3.3);  // where the slider of cover.html begins
+    const double radii = 1000;  // where the slider of cover.html begins
     fs::create_directories(out_ / "pictures");
     write_file_atomically(
         out_ / "pictures/microscope.png",
@@ -695,11 +736,8 @@ class Book {
               "</section>\n";
     }
     write(out_ / "print.html",
-          "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Texture "
-          "Mapping, Step by Step</title>\n"
-          "<link rel=\"stylesheet\" href=\"book.css\">\n<link rel=\"icon\" "
-          "href=\"data:,\">\n</head>\n<body>\n<main>\n" +
-              body + "</main>\n</body>\n</html>\n");
+          head_of("Texture Mapping, Step by Step", {"book.css", "sheets.css", "sizes.css"}) +
+              "<main>\n" + with_rules(body) + "</main>\n</body>\n</html>\n");
   }
 
   /// The page's links as places of the printed book.
@@ -746,6 +784,8 @@ class Book {
   std::vector<Named> named_;  ///< links from one page to a heading of another
   bool live_ = false;         // whether there are live pictures
   std::map<std::string, std::set<std::size_t>> sources_;  ///< and the lines that links lead to
+  std::map<std::string, std::size_t> rules_;  ///< styles of single elements, and their numbers
+  std::string sizes_;                         ///< the same as a style sheet
   std::set<std::string> pictures_;
   std::vector<std::string> faults_;
 };

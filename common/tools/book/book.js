@@ -145,23 +145,31 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
 for (const code of document.querySelectorAll(":not(pre) > code, .command > span"))
   code.innerHTML = code.innerHTML.replace(/(?<!\w)--?\w[\w-]*/g, "<span class=\"whole\">$&</span>");
 
-// Plays the pictures of a turntable in place of the still picture; the same button stops it.
+// Plays the pictures of a turntable in place of the still picture; the same button stops it. Who
+// asked for less motion turns it picture by picture.
 for (const button of document.querySelectorAll("button[data-frames]")) {
   const image = button.parentElement.closest("figure, section").querySelector("img");
   document.querySelector("#the-turntable")?.nextElementSibling.after(button.closest("figure"));
   const frames = button.dataset.frames.split(" ");
   const still = image.getAttribute("src");
-  let timer = 0;
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  let timer = 0, frame = 0;
+  const turn = () => { image.src = frames[frame++ % frames.length]; };
+  const stop = () => {
+    clearInterval(timer);
+    timer = frame = 0;
+    image.src = still;
+    button.textContent = "Turn the globe";
+  };
   button.addEventListener("click", () => {
     if (timer) {
-      clearInterval(timer);
-      timer = 0;
-      image.src = still;
-      button.textContent = "Turn the globe";
-      return;
+      stop();
+    } else if (calm.matches) {  // a picture for each click
+      turn();
+    } else {
+      timer = setInterval(turn, 100);
+      button.textContent = "Stop";
     }
-    let frame = 0;
-    timer = setInterval(() => { image.src = frames[frame++ % frames.length]; }, 100);
-    button.textContent = "Stop";
   });
+  calm.addEventListener("change", () => { if (timer) stop(); });
 }

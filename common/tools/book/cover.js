@@ -1,8 +1,13 @@
 // The error microscope of the cover. live/cover.js calls texmapCover with the module and the map;
 // where a browser lacks something, or that file is missing, the still picture stays.
 "use strict";
+// The place of what comes with the module: it stays free until the module is there, or fails.
+const texmapHero = document.querySelector(".hero");
+const texmapWaits = (waits) => texmapHero.classList.toggle("waits", waits);
+texmapWaits(true);
+document.querySelector("script[src='live/cover.js']").onerror = () => texmapWaits(false);
 const texmapCover = async (packed, earth) => {
-  const hero = document.querySelector(".hero");
+  const hero = texmapHero;
   const part = (what) => hero.querySelector(what);
   const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span",
     "table", ".said"].map(part);
@@ -19,12 +24,17 @@ const texmapCover = async (packed, earth) => {
     code._initialize();
     const map = bytesOf(earth), start = code.take(map.length);
     new Uint8Array(code.memory.buffer).set(map, start);
-    if (!code.keep_map(start, map.length)) return;
-  } catch {
+    if (!code.keep_map(start, map.length)) throw new Error();
+  } catch (error) {
+    texmapWaits(false);
+    if (error.name !== "CompileError") return;
+    said.className = "legend";
+    said.textContent = "The picture stays still: this server's policy forbids WebAssembly.";
     return;
   }
 
-  const radii = () => 10 ** (slider.value / 100);  // from the eye to the surface
+  // From the eye to the surface: three digits, as the page says them.
+  const radii = () => Number((10 ** (slider.value / 100)).toPrecision(3));
   const place = {across: 0.2, down: 0.42};         // of the pixel, in the picture
   const paper = canvas.getContext("2d", {willReadFrequently: true}),
     small = document.createElement("canvas");
@@ -138,7 +148,7 @@ const texmapCover = async (packed, earth) => {
       : `here ${lost < 7 ? `${lost} of the` : "all"} 7 digits cancel`;
     table.caption.firstChild.textContent =
       `Point at any pixel. This is column ${across}, row ${down}.`;
-    shown.textContent = `${Number(radii().toPrecision(3)).toLocaleString("en")} ${radii() === 1
+    shown.textContent = `${radii().toLocaleString("en")} ${radii() === 1
       ? "radius" : "radii"}`;
     slider.setAttribute("aria-valuetext", `${shown.textContent} from the surface`);
   }
@@ -192,6 +202,7 @@ const texmapCover = async (packed, earth) => {
 
   for (const one of [canvas, pin, table, slider.parentElement]) one.hidden = false;
   part("img").hidden = true;
+  texmapWaits(false);
   change();
   new ResizeObserver(() => {
     if (canvas.width !== fullSize()) change();

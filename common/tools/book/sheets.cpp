@@ -232,7 +232,7 @@ std::string exhibits(const Reader& reader, std::string page, const std::string& 
   const std::string after = "</table></div>";
   const std::string table = page.substr(at, page.find(after, at) + after.size() - at);
   const std::vector<std::string> heads = all_between(table, "<th>", "</th>");
-  std::string all = "<div class=\"sheet wide exhibits\">\n";
+  std::string all, list;
   std::map<std::string, std::string> causes;
   for (const std::string& row : all_between(table, "<tr>\n<td>", "</tr>")) {
     const std::vector<std::string> cells = all_between("<td>" + row, "<td>", "</td>");
@@ -241,12 +241,16 @@ std::string exhibits(const Reader& reader, std::string page, const std::string& 
       said += "<p><span>" + heads[k] + "</span> " + cells.at(k) + "</p>";
     for (const std::string& name : all_between(cells[0], "<code>", "</code>")) {
       causes[name] = cells.at(2);
-      all += "<article>" + pairs.at(name) + "</figcaption></figure><div>" + said +
-             "</div></article>\n";
+      list += joined("<a href=\"#exhibit-", name, "\">", name, "</a>\n");
+      all += "<article id=\"exhibit-" + name + "\">" + pairs.at(name) +
+             "</figcaption></figure><div>" + said + "</div></article>\n";
       said.clear();  // once for all exhibits of a row
     }
   }
-  replace_all(page, table, all + "</div>");
+  replace_all(page, table,
+              joined("<div class=\"sheet wide exhibits\">\n<nav class=\"names\" "
+                     "aria-label=\"Exhibits\">\n",
+                     list, "</nav>\n", all, "</div>"));
   std::string four = "<p>Four of the exhibits:</p>\n<div class=\"sheet wide pairs\">\n";
   for (const char* const name : {"from-1e5", "pole", "needle", "small"})
     four += pairs.at(name) + ": " + causes[name] + "</figcaption></figure>\n";
