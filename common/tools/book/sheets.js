@@ -47,7 +47,7 @@ for (const trade of document.querySelectorAll(".trade")) {
       + `points="${line}"/></svg>`;
   const buttons = ways.map((one) => {
     const button = made("button",
-      (front.includes(one) ? "front" : "") + (across(one.time) > 0.55 ? " last" : ""), made("i"));
+      front.includes(one) ? "front" : "", made("i"));
     button.type = "button";
     button.style.left = `${100 * across(one.time)}%`;
     button.style.bottom = `${100 * up(one.texels_bound)}%`;
@@ -85,12 +85,32 @@ for (const trade of document.querySelectorAll(".trade")) {
   trade.append(made("h3", "", "What ./course run 13 measured"),
     made("figcaption", "",
       "On the machine where it ran, also with packs. Nothing is both faster and more exact than "
-        + "a point on the line. Click a point for its picture and its command."), plot, about);
+        + "a point on the red line. Click a point for its picture and its command."), plot, about);
+  // A label or a small picture stands at that side of its point where it covers nothing, or not at
+  // all.
+  new ResizeObserver(() => {
+    const boxOf = (one) => one.getBoundingClientRect(), all = boxOf(plot);
+    const taken = buttons.map((one) => boxOf(one.firstChild));
+    for (const part of plot.querySelectorAll(".front > :not(i)")) {
+      part.style.display = "";
+      if (!boxOf(part).width) continue;  // a narrow window shows none
+      const isFree = [[], ["aside"], ["turned"], ["aside", "turned"]].some((sides) => {
+        for (const side of ["aside", "turned"]) part.classList.toggle(side, sides.includes(side));
+        const box = boxOf(part);
+        return box.left > all.left && box.right < all.right + 20 && !taken.some((other) =>
+          box.left < other.right && other.left < box.right && box.top < other.bottom
+          && other.top < box.bottom);
+      });
+      if (isFree) taken.push(boxOf(part));
+      else part.style.display = "none";
+    }
+  }).observe(plot);
   // the fastest that changes nothing
   buttons[ways.indexOf(front.findLast((one) => !one.changed))].click();
 }
 
-// Chapter 14's list says which exhibit is in sight: the last in the window's upper quarter or above.
+// Chapter 14's list says which exhibit is in sight: the last that begins in the window's upper
+// quarter or above.
 const names = document.querySelectorAll(".names a");
 if (names.length) addEventListener("scroll", () => {
   const seen = [...names].findLast((one) =>

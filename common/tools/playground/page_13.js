@@ -1,9 +1,11 @@
 // Chapter 13's live picture: an error budget as a slider, with the chapter's own ways to draw the
-// globe, timed in this browser; and the same (u, v) by the reader's graphics processor, held
-// against double.
+// globe, by the times of the page's table until the reader times them in this browser; and the same
+// (u, v) by the reader's graphics processor, held against double.
 "use strict";
+if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, rounded, small, painted, fetched, hire} = texmapLive.of;
+const {element, rounded, small, painted, fetched, hire, open, unpacked, isHired, begin, placed}
+  = texmapLive.of;
 
 // ---- What the worker can do.
 function worker() {
@@ -16,6 +18,7 @@ function worker() {
       return code.lend([picture], (start) => json(code.calls.begin(start, picture.length)));
     },
     compare: (way) => json(code.calls.compare(way)),
+    picture: (way, count) => pixels(code.calls.draw(way), count),
     pictures: (way, count) => [pixels(code.calls.draw(way), count),
       pixels(code.calls.show_changes(way), count)],
     time(way) {
@@ -50,6 +53,15 @@ const svg = (name, properties, ...children) => {
 };
 const dot = ({number}, x, y, r) => number.endsWith("-pack") ? svg("rect",
   {x: x - r, y: y - r, width: 2 * r, height: 2 * r}) : svg("circle", {cx: x, cy: y, r});
+// What the page's table states of a way: its time, double with atan2 = 1, and its bound.
+function stated({number, kernel}) {
+  const name = `${number.endsWith("-pack") ? `pack of ${number.split("-")[0]}s` : number}, `
+    + (kernel === "reference" ? "with atan2" : `polynomial of ${kernel}`);
+  const row = [...document.querySelectorAll("main tr")]
+    .find((one) => one.cells.length === 5 && one.cells[0].textContent === name);
+  const [, time, , bound] = row ? [...row.cells].map((one) => parseFloat(one.textContent)) : [];
+  return row ? {times: [time], bound} : {times: []};
+}
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
 // ---- The plot: time across, texels off at most up, both logarithmic.
@@ -100,6 +112,7 @@ function plotted(ways, front, chosen, limit, choose) {
     const [x, y] = at(way), r = size(way) + 2;
     return [[x - r, y - r, x + r, y + r], [x, y - 2, acrossFor(median(way.times)), y + 2]];
   });
+  taken.push([left, upFor(limit) - 1, plotWidth, upFor(limit) + 1]);
   for (const way of known) {
     const [x, y] = at(way), text = way.kernel.replace("reference", "atan2").replace("degree ", ""),
       wide = 0.62 * high * text.length, r = size(way) + 5;
@@ -221,17 +234,18 @@ void main() {
 }
 
 // ---- The section.
-async function begin() {
+async function show() {
   const [{bytes: packed}, {bytes: picture}] =
     await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
-  const ask = hire(worker);
+  const ask = hire(worker, "page_13.js");
   const facts = await ask("load", packed, picture);
   const {width, height} = facts;
   const ways = facts.ways.map((way, index) => ({...way, index, times: []}));
 
-  const shown = element("canvas", {role: "img", ariaLabel: "The globe, drawn in the chosen way"});
+  const shown = element("canvas",
+    {width, height, role: "img", ariaLabel: "The globe, drawn in the chosen way"});
   const changed = element("canvas",
-    {role: "img", ariaLabel: "The pixels that the chosen way changes"});
+    {width, height, role: "img", ariaLabel: "The pixels that the chosen way changes"});
   const slider = element("input",
     {type: "range", id: "budget", min: -12, max: 0, step: 0.05, value: -2});
   const allowed = element("output", {htmlFor: "budget"});
@@ -240,50 +254,54 @@ async function begin() {
   const clock = element("p", {className: "budget-clock"});
   const plot = element("div"),
     key = element("figcaption",
-      {textContent: "As timed in this browser. Up: texels off at most. Each point is a way to "
-        + "draw: filled in float, open in double; a square computes a pack of 8 floats or 4 "
-        + "doubles at once. A number is the degree of its polynomial. A bar goes to the median "
-        + "time. The thin line is the front: nothing is both faster and more exact. The shaded "
-        + "part keeps to the slider. Click a point to see its picture."});
+      {textContent: "Up: texels off at most. Each point is a way to draw: filled in float, open in "
+        + "double; a square computes a pack at once. A number is the degree of its polynomial. "
+        + "The red line is the front: nothing is both faster and more exact. The shaded part "
+        + "keeps to the slider. Click a point to see its picture. The slider "
+        + "chooses the fastest way that keeps to it; of ways that could be as fast, as far as "
+        + "their times spread, the most exact."});
   const table = element("table");
-  const again = element("button", {type: "button", textContent: "Time again"});
-  const measured = element("div", {hidden: true}),
+  const again = element("button",
+    {type: "button", textContent: "Time all ways in this browser: 5 to 10 s"});
+  const measured = element("div"), numbers = element("details", {hidden: true},
+      element("summary", {textContent: "All ways in numbers"}),
+      element("div", {className: "scroll"}, table)),
     card = element("div", {className: "budget-card"});
   const section = element("section", {className: "wide budget", ariaLabel: "An error budget"},
-    element("p", {},
+    element("p", {className: "budget-row"},
       element("label",
         {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}),
-      allowed, " texels. The fastest way that keeps to this is chosen; of ways that could be as "
-        + "fast, as far as their times spread, the most exact."), slider,
-    clock, measured, card);
+      allowed, " texels."), slider, measured, says,
+    element("p", {className: "live-command"}, command, " ", copy), clock, element("p", {}, again),
+    numbers, card);
   measured.append(
     element("div", {className: "budget-pair"}, element("figure", {className: "budget-plot"}, plot,
       key), element("figure", {}, shown,
       element("figcaption", {textContent: "the globe, drawn in this way"})),
     element("figure", {}, changed,
-      element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
-    says, element("p", {className: "live-command"}, command, " ", copy), element("p", {}, again),
-    element("details", {}, element("summary", {textContent: "All ways in numbers"}),
-      element("div", {className: "scroll"}, table)));
-  (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
+      element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))));
+  placed(section);
 
   section.ways = ways;  // for the tests
   const pictures = [];  // of each way, with its changes: 14 MB, so that no drag draws
-  let chosen = 0, front = [];
+  const known = ways.map((way) => ({...way, ...stated(way)}));  // by the page's table
+  let chosen = 0;
   const timesOf = () =>
-    Float64Array.from(ways.flatMap((way) => way.times.length ? [Math.min(...way.times),
-      median(way.times)] : [1, 1]));
+    Float64Array.from(ways.flatMap((way) => [Math.min(...way.times), median(way.times)]));
   const limit = () => 10 ** slider.value;
+  const isTimed = () => ways[0].times.length > 0;
   function tell(best) {
     const way = ways[chosen];
-    const ratio = ways[0].times.length
-      && way.times.length ? Math.min(...ways[0].times) / Math.min(...way.times) : 0;
+    const [first, mine] = [0, chosen].map((i) => (isTimed() ? ways : known)[i].times);
     says.replaceChildren(best < 0 ? "Nothing that was tried keeps to that. The most exact: " : "",
       element("b", {textContent: named(way)}),
-      `, at most ${small(way.bound)} texels off, ${small(way.worst)} seen. `,
-      way.changed ? `${counted(way.changed, "pixel")} of ${(width * height)
-        .toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}.` : "No pixel differs.",
-      ratio && chosen ? ` Here ${rounded(ratio, 2)} times as fast as double with atan2.` : "",
+      `, at most ${small(way.bound ?? known[chosen].bound)} texels off. `,
+      way.changed === undefined ? ""
+        : `${way.changed ? `${counted(way.changed, "pixel")} of ${(width * height)
+          .toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}` : "No pixel differs"}, `
+          + `${small(way.worst)} texels off seen.`,
+      chosen ? ` ${isTimed() ? "Here" : "There"} ${rounded(Math.min(...first) / Math.min(...mine),
+        2)} times as fast as double with atan2.` : "",
       ` The command draws chapter 07's picture in this way${way.budget === "exact" ? ""
         : "; its budget is the polynomial's share of the error, and rounding adds the rest"}.`);
     command.textContent =
@@ -291,28 +309,49 @@ async function begin() {
         : ` --budget ${way.budget}`}`;
     section.dataset.way = way.index;
   }
+  // The fastest way that keeps to the slider, or -1, and the front: nothing is both faster and more
+  // exact.
+  async function found() {
+    if (isTimed()) return ask("choose", limit(), timesOf());
+    const all = known.filter(({times}) => times.length).sort((a, b) => a.times[0] - b.times[0]);
+    return {best: all.find(({bound}) => bound <= limit())?.index ?? -1,
+      front: all.filter((one, i) => all.slice(0, i).every((other) => other.bound > one.bound))
+        .map(({index}) => index)};
+  }
+  // The picture at once; what it changes once it is compared with the exact one.
+  async function paint() {
+    const {index} = ways[chosen];
+    if (!pictures[index]) {
+      painted(shown, await ask("picture", index, width * height), width, height);
+      Object.assign(ways[index], await ask("compare", index));
+      pictures[index] = await ask("pictures", index, width * height);
+    }
+    if (index !== chosen) return;
+    [shown, changed].forEach((canvas, i) => painted(canvas, pictures[index][i], width, height));
+  }
   async function change(way) {
     allowed.textContent = small(limit());
     slider.setAttribute("aria-valuetext", `${small(limit())} texels`);
-    if (!ways[0].times.length) return;  // not measured yet
-    const found = await ask("choose", limit(), timesOf());
-    front = found.front;
-    const exact = ways.reduce((a, b) => b.bound < a.bound ? b : a);
-    chosen = way ? way.index : found.best < 0 ? exact.index : found.best;
-    tell(way ? 0 : found.best);
+    const {best, front} = await found();
+    const all = isTimed() ? ways : known, exact = all.filter(({times}) => times.length)
+      .reduce((a, b) => b.bound < a.bound ? b : a);
+    chosen = way ? way.index : best < 0 ? exact.index : best;
+    tell(way ? 0 : best);
     const isHeld = plot.contains(document.activeElement);
-    plot.replaceChildren(plotted(ways, front, chosen, limit(), choose));
+    plot.replaceChildren(plotted(all, front, chosen, limit(), choose));
     if (isHeld) plot.querySelector(".budget-point.chosen").focus();
+    await paint();
+    tell(way ? 0 : best);
+    if (!isTimed()) return;
     table.replaceChildren(element("tr", {},
       ...["way", "at most, texels", "seen", "pixels that differ", "time",
         "spread"].map((name) => element("th", {scope: "col", textContent: name}))),
     ...ways.map((one) =>
       element("tr", {}, ...[named(one), small(one.bound), small(one.worst), String(one.changed),
-        one.times.length ? rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3) : "",
-        one.times.length ? rounded(median(one.times) / Math.min(...one.times), 3) : ""]
+        rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3),
+        rounded(median(one.times) / Math.min(...one.times), 3)]
         .map((text) => element("td", {textContent: text})))));
-    [shown, changed].forEach((canvas, i) => painted(canvas, pictures[chosen][i], width, height));
-    measured.hidden = false;
+    numbers.hidden = false;
   }
   function choose(way) {
     slider.value = Math.min(0, Math.max(-12, Math.ceil(20 * Math.log10(way.bound)) / 20));
@@ -320,9 +359,15 @@ async function begin() {
   }
   async function time() {
     again.disabled = true;
+    for (const way of ways) {
+      clock.textContent =
+        `Comparing with the exact picture, ${way.index + 1} of ${ways.length} …`;
+      if (way.changed === undefined) Object.assign(way, await ask("compare", way.index));
+    }
     const rounds = 15, times = ways.map(() => []);
     // warms up
-    for (const way of ways) pictures[way.index] = await ask("pictures", way.index, width * height);
+    for (const {index} of ways)
+      pictures[index] ??= await ask("pictures", index, width * height);
     for (let round = 0; round < rounds; ++round) {
       for (const way of ways) times[way.index].push(await ask("time", way.index));
       clock.textContent = `Measuring: round ${round + 1} of ${rounds} …`;
@@ -337,10 +382,12 @@ async function begin() {
       + "the shortest." : "The medians are within 10 % of the shortest.")
       + " The program of this chapter has wider packs.";
     again.disabled = false;
+    again.textContent = "Time again";
     await change();
+    section.dataset.timed = rounds;
   }
   slider.oninput = () => change();
-  again.onclick = async () => { await time(); section.dataset.state = "done"; };
+  again.onclick = time;
   copy.onclick = async () => {
     try {
       await navigator.clipboard.writeText(command.textContent);
@@ -348,24 +395,13 @@ async function begin() {
     copy.textContent = "Copied";
     setTimeout(() => { copy.textContent = "Copy"; }, 2000);
   };
-  change();  // says the limit
-  for (const way of ways) {
-    clock.textContent = `Measuring: compared with the exact picture, ${way.index
-      + 1} of ${ways.length} …`;
-    Object.assign(way, await ask("compare", way.index));
-  }
-  await time();
+  clock.textContent = "The times are those of one machine, from the table below.";
+  await (known.some((way) => way.times.length) ? change() : time());
   section.dataset.state = "done";
 
   // The reader's graphics processor.
   card.append(element("h3", {textContent: "Your graphics processor"}));
-  const machine = graphics();
-  if (!machine) {
-    card.append(element("p",
-      {textContent: "This browser gives no graphics processor that writes floats (WebGL 2 with "
-        + "EXT_color_buffer_float), so its arc tangent cannot be measured here."}));
-    return;
-  }
+  let machine;
   const measure = element("button", {type: "button", textContent: "Measure it"});
   const results = element("table"),
     errors = element("canvas",
@@ -378,6 +414,12 @@ async function begin() {
       + "each with double. Click a name to see where on the map it is off."}),
   measure, element("div", {className: "scroll"}, results), errors, caption);
   measure.onclick = async () => {
+    machine ??= graphics();
+    if (!machine) {
+      caption.textContent = "This browser gives no graphics processor that writes floats (WebGL 2 "
+        + "with EXT_color_buffer_float), so its arc tangent cannot be measured here.";
+      return;
+    }
     measure.disabled = true;
     try {
       const [across, down] = facts.map;
@@ -416,6 +458,5 @@ async function begin() {
     measure.disabled = false;
   };
 }
-addEventListener("DOMContentLoaded",
-  () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
+if (!isHired(worker)) begin(show);
 })();
