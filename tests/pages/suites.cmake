@@ -66,6 +66,8 @@ if(PYTHON3 AND TARGET book AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   set_target_properties(print_microscope PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests$<0:>")
   add_check(cover playground "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/test_cover.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
     "$<TARGET_FILE:print_microscope>" WITH SKIP_RETURN_CODE 77 TIMEOUT 900)
+  add_check(served playground "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/test_served.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
+    WITH SKIP_RETURN_CODE 77 TIMEOUT 900)
 endif()
 if(PYTHON3)
   add_check(reference_pages pages "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/reference_pages.py" "${CMAKE_SOURCE_DIR}")

@@ -410,6 +410,8 @@ class Book {
     if (!up.empty()) sheets.push_back("source.css");
     if (body.find("class=\"sheet ") != std::string::npos) sheets.push_back("sheets.css");
     if (sized_body != body) sheets.push_back("sizes.css");
+    const std::string live = up.empty() ? live_chapter(current) : "";
+    if (!live.empty()) sheets.push_back("live/live.css");
     std::string html =
         head_of(title, sheets, up) +
         "<a class=\"skip\" href=\"#main\">To the text</a>\n<header>\n<a class=\"home\" href=\"" +
@@ -424,21 +426,18 @@ class Book {
           "aria-label=\"Search the book\" autocomplete=\"off\"><ul id=\"found\" "
           "hidden></ul></div>\n";
     }
-    const std::string live = up.empty() ? live_chapter(current) : "";
     html += "</header>\n<main id=\"main\"";
     if (!live.empty() && !fs::exists(playground() / own_script(live)))
       html.append(" data-live=\"").append(live).append("\"");
     html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
-    if (body.find("class=\"hero\"") != std::string::npos) {
+    if (body.find("class=\"hero ") != std::string::npos) {
       html +=
           "<script src=\"cover.js\" defer></script>\n"
           "<script src=\"live/cover.js\" defer></script>\n";
     }
     if (!live.empty()) {
-      html +=
-          "<link rel=\"stylesheet\" href=\"live/live.css\">\n"
-          "<script src=\"live/live.js\" defer></script>\n";
+      html += "<script src=\"live/live.js\" defer></script>\n";
       if (fs::exists(playground() / own_script(live)))
         html.append("<script src=\"live/" + own_script(live) + "\" defer></script>\n");
     }
@@ -563,12 +562,24 @@ class Book {
     return html;
   }
 
+  /// Keeps the place of a live picture, so that the page does not move when it comes: below the
+  /// still one, which takes its place, or below the head.
+  static void keep_place(std::string& body) {
+    const std::size_t image = body.find("<img ");
+    const bool is_still = image < body.find("<h2");
+    const std::size_t at = body.find("</p>\n", is_still ? image : body.find("class=\"head\""));
+    if (at == std::string::npos) return;
+    body.insert(at + 5, is_still ? "<div class=\"wide live-place\"></div>\n"
+                                 : "<div class=\"wide live-place live-alone\"></div>\n");
+  }
+
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
     std::string body = sized(with_cards(page.converted.html));
     if (!page.chapter.empty()) {
       replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
       replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");
+      if (!live_chapter(i).empty()) keep_place(body);
       body += made_for(page.chapter);
     }
     body += "<nav class=\"turn\" aria-label=\"Next and previous page\">";

@@ -1,11 +1,10 @@
 // The error microscope of the cover. live/cover.js calls texmapCover with the module and the map;
 // where a browser lacks something, or that file is missing, the still picture stays.
 "use strict";
-// The place of what comes with the module: it stays free until the module is there, or fails.
+// The place of what comes with the module stays free until the module is there, or fails.
 const texmapHero = document.querySelector(".hero");
-const texmapWaits = (waits) => texmapHero.classList.toggle("waits", waits);
-texmapWaits(true);
-document.querySelector("script[src='live/cover.js']").onerror = () => texmapWaits(false);
+const texmapStays = () => texmapHero.classList.remove("waits");
+document.querySelector("script[src='live/cover.js']").onerror = texmapStays;
 const texmapCover = async (packed, earth) => {
   const hero = texmapHero;
   const part = (what) => hero.querySelector(what);
@@ -26,7 +25,7 @@ const texmapCover = async (packed, earth) => {
     new Uint8Array(code.memory.buffer).set(map, start);
     if (!code.keep_map(start, map.length)) throw new Error();
   } catch (error) {
-    texmapWaits(false);
+    texmapStays();
     if (error.name !== "CompileError") return;
     said.className = "legend";
     said.textContent = "The picture stays still: this server's policy forbids WebAssembly.";
@@ -202,7 +201,7 @@ const texmapCover = async (packed, earth) => {
 
   for (const one of [canvas, pin, table, slider.parentElement]) one.hidden = false;
   part("img").hidden = true;
-  texmapWaits(false);
+  texmapStays();
   change();
   new ResizeObserver(() => {
     if (canvas.width !== fullSize()) change();

@@ -49,8 +49,7 @@ async function open(module) {
 
 const ofWorkers = `const unpacked = ${unpacked};\n${open}\n`;
 
-// ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from
-// file://.
+// ---- The worker of chapters 01 to 12.
 function worker() {
   let module, code;   // compiled; an instance that draws
   let used = "";      // the words and width that the module is set to
@@ -302,6 +301,10 @@ const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
 const sizeOfOne = ["--width", "800", "--height", "600"];
+// The control that tells most: it stands with the picture, the others follow.
+const tellsMost = {"01": "--show", "02": "--squares", "03": "--show", "04": "--convention",
+  "05": "--degrees", "06": "--shininess", "07": "--samples", "08": "--wrap", "09": "--filter",
+  "10": "--projection", "11": "--relief", "12": "--exposure"};
 // What a page begins with in place of the chapter's preset.
 const begins = {"10": {"--projection": "cube"}};
 // What the lecture's scene presets otherwise.
@@ -311,10 +314,12 @@ const legends = {
   normal: "x as red, y as green, z as blue, each from −1 to 1",
   uv: "u as red, v as green, each from 0 to 1; gray: no (u, v)",
   object: "one color for each object",
-  "--errors": ["How far float's place in the texture is from double's: 10⁻⁵ texel or less ",
-    element("i", {className: "live-errors"}),
-    " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts "
-      + "as 2048 × 1024 texels."],
+  get "--errors"() {
+    return ["How far float's place in the texture is from double's: 10⁻⁵ texel or less ",
+      element("i", {className: "live-errors"}),
+      " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts "
+        + "as 2048 × 1024 texels."];
+  },
 };
 // columns of a picture; while the reader drags it has 96 to 480, as many as are drawn in 36 ms
 const widest = 800;
@@ -374,7 +379,8 @@ const rounded = (value, digits) => String(Number(Number(value).toPrecision(digit
 // ---- What scripts hand over: modules.js and 07.js call texmapLive.modules, earth.js calls
 // texmapLive.file.
 // none: all is in the page
-const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");
+const inWorker = typeof document === "undefined";
+const folder = inWorker ? "" : (document.currentScript.src || "").replace(/[^/]*$/, "");
 const arrivals = new Map();
 function arrival(name) {
   if (!arrivals.has(name)) {
@@ -394,7 +400,18 @@ function fetched(name, script) {
   return one.promise;
 }
 
-// ---- For the pages of single chapters: a worker that answers one call after another, each by its
+// ---- Workers. Where pages are served a worker is a script's file, which servers may allow alone;
+// from file:// none can be opened, and a Blob of the same functions takes its place.
+function engaged(script, ...texts) {
+  if (folder && location.protocol !== "file:") return new Worker(folder + script);
+  const address = URL.createObjectURL(new Blob([ofWorkers, ...texts]));
+  try { return new Worker(address); } finally { URL.revokeObjectURL(address); }
+}
+// Why a worker stopped: a server's policy may forbid WebAssembly.
+const whyLost = (reason) => !/CompileError/.test(reason) ? reason || "its worker did not start"
+  : "this server's policy forbids WebAssembly: the script-src of its Content-Security-Policy needs "
+    + "'wasm-unsafe-eval'";
+// For the pages of single chapters: a worker that answers one call after another, each by its
 // name and what it takes.
 function answering(can) {
   let before = Promise.resolve();
@@ -408,17 +425,17 @@ function answering(can) {
     });
   };
 }
-function hire(worker) {
-  const address = URL.createObjectURL(new Blob([ofWorkers, `(${answering})((${worker})())`]));
-  const hand = new Worker(address);
-  URL.revokeObjectURL(address);
+function hire(worker, script) {
+  const hand = engaged(script, `(${answering})((${worker})())`);
   const waiting = new Map();
   let last = 0;
-  const fail = (reason) => { for (const {refuse} of waiting.values()) refuse(new Error(reason)); };
+  const fail = (reason) => {
+    for (const {refuse} of waiting.values()) refuse(new Error(whyLost(reason)));
+  };
   hand.onmessage = ({data: [id, answer, fault]}) => {
     const {give, refuse} = waiting.get(id);
     waiting.delete(id);
-    fault ? refuse(new Error(fault)) : give(answer);
+    fault ? refuse(new Error(whyLost(fault))) : give(answer);
   };
   hand.onerror = (event) => fail(event.message);
   return (...call) => new Promise((give, refuse) => {
@@ -434,8 +451,16 @@ function painted(canvas, pixels, width, height) {
     width), 0, 0);
 }
 
-// ---- A live picture, its form and its loupe.
-function live(main, packed) {
+// Puts a section where the page keeps its place, or below the head of a page that keeps none.
+function placed(section) {
+  const place = document.querySelector(".live-place"), main = document.querySelector("main");
+  const above = place || main.querySelector(".head, .tabs") || main.querySelector("h1");
+  above.after(section);
+  place?.remove();
+}
+
+// ---- A live picture, its form and its loupe. Its place is there before the module is.
+async function live(main, script) {
   // The chapter's picture: what comes after the first heading is a diagram.
   const first = main.querySelector("img"), heading = main.querySelector("h2");
   const image = first && heading
@@ -445,7 +470,8 @@ function live(main, packed) {
   const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1
     ? image.parentElement : image;
   const still = always[main.dataset.live] ? null : frame;
-  const canvas = element("canvas", {width: 800, height: 600, tabIndex: 0, hidden: true});
+  const shape = still && image.height / image.width || 0.75;
+  const canvas = element("canvas", {tabIndex: 0});
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", (image ? image.alt : "The chapter's picture")
     + ". Arrow keys show how a pixel gets its color.");
@@ -465,10 +491,10 @@ function live(main, packed) {
       ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
   const secondFrame = element("div", {className: "live-second", hidden: true}, second, spot);
-  // By their presets 07 and 12 draw the still picture: it covers their noisy passes until the last
-  // one.
+  // The still picture, until there is another. By their presets 07 and 12 draw this one: it covers
+  // their noisy passes until the last one.
   const stand = element("img",
-    {src: image?.src || "", alt: "", className: "live-stand", hidden: true});
+    {src: image?.src || "", alt: "", className: "live-stand", hidden: !still});
   const picture = element("div", {className: "live-picture"}, canvas, ...(image ? [stand] : []),
     secondFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
@@ -482,11 +508,16 @@ function live(main, packed) {
   const drawn = element("figure", {className: "live-map"});
   const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, map,
     drawn, facts);
-  const beside = element("div", {className: "live-beside"}, loupe);
+  const room = element("div", {}, loupe);
+  const mostRow = element("fieldset", {className: "live-rows live-most", ariaLabel: "Change this"});
+  const beside = element("div", {className: "live-beside"}, mostRow, room);
   const legend = element("p", {className: "live-legend"});
-  const hint =
-    "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with "
+  const byTouch = matchMedia("(hover: none) and (pointer: coarse)").matches;
+  const hint = byTouch
+    ? "Tap a pixel to see how it gets its color. A tap on its numbers closes them."
+    : "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with "
       + "Shift by ten pixels), Esc closes.";
+  const letsGo = `held: ${byTouch ? "a tap here" : "a click or Esc"} lets go`;
   const says = element("p", {className: "live-says"});
   says.setAttribute("role", "status");
   const again = element("button", {type: "button", textContent: "Try again", hidden: true,
@@ -496,6 +527,8 @@ function live(main, packed) {
   const more = element("details", {}, element("summary", {textContent: "More"}), moreRows);
   const command = element("code");
   const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
+  const link = element("button", {type: "button", textContent: "Copy link", onclick: copyLink,
+    title: "the address of this page with these settings"});
   const hereOnly = element("span");
   const openers = element("span", {className: "live-openers"});
   const save = element("button",
@@ -506,15 +539,27 @@ function live(main, packed) {
     rows, more,
     element("div", {className: "live-actions"}, openers, save, element("button",
       {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
-    element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
-  const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live", hidden: true}, picture, beside, refined,
+    element("p", {className: "live-command"}, command, " ", copy, " ", link, " ", hereOnly));
+  const form = element("form", {onsubmit: (event) => event.preventDefault()}, panel);
+  const section = element("section", {className: "live live-waits"}, picture, beside, refined,
     legend, says, again, form, trace);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
-  const above = frame || main.querySelector(".head");
-  above ? above.after(section) : main.append(section);
+  reshape(800, Math.round(800 * shape));
+  frame ? frame.after(section) : placed(section);
   main.querySelector(".live-missing")?.remove();
+  if (still) still.style.display = "none";
+  still?.classList.add("live-still");
+  document.querySelector(".live-place")?.remove();
+  let packed;
+  try {
+    packed = await script;
+  } catch (error) {
+    section.remove();
+    if (still) still.style.display = "";
+    console.info(`The picture stays still: ${error.message}`);
+    return;
+  }
 
   let hand = null;                     // the worker
   // more of them for full pictures, null: none were needed yet; how many still draw the latest one
@@ -540,20 +585,15 @@ function live(main, packed) {
 
   // -- The worker's life.
   function engage() {
-    const address = URL.createObjectURL(new Blob([ofWorkers, `(${worker})()`]));
-    try {
-      const one = new Worker(address);
-      one.postMessage({kind: "load", packed});
-      for (const [name, file] of files) one.postMessage({kind: "keep", name, ...file});
-      return one;
-    } finally {
-      URL.revokeObjectURL(address);
-    }
+    const one = engaged("live.js#worker", `(${worker})()`);
+    one.postMessage({kind: "load", packed});
+    for (const [name, file] of files) one.postMessage({kind: "keep", name, ...file});
+    return one;
   }
   function start() {
     again.hidden = true;
     say("");
-    panel.disabled = false;
+    panel.disabled = mostRow.disabled = false;
     try { hand = engage(); } catch (error) { lost(error.message); return; }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
@@ -605,7 +645,6 @@ function live(main, packed) {
   }
   function say(words, isFault = true) {
     says.textContent = words;
-    if (words) section.hidden = false;
     says.classList.toggle("live-fault", isFault && words !== "");
   }
   function lost(reason) {
@@ -616,10 +655,11 @@ function live(main, packed) {
     unfinished = false;
     looking = nextLook = null;
     closeLoupe();
-    panel.disabled = true;
-    if (still) { still.style.display = ""; canvas.hidden = true; }
-    say(`The live picture stopped (${reason}). ${still ? "This is the still one." : ""}`);
-    again.hidden = false;
+    panel.disabled = mostRow.disabled = true;
+    if (still) { still.style.display = ""; canvas.hidden = stand.hidden = true; }
+    say(`The live picture stopped (${whyLost(reason)}). ${still ? "This is the still one." : ""}`);
+    again.hidden = /CompileError/.test(reason);
+    form.hidden = section.classList.contains("live-waits");  // there was no picture yet
     section.dataset.state = "lost";
   }
   const heard = {
@@ -639,8 +679,9 @@ function live(main, packed) {
         lost(error.message);
         return;
       }
-      if (built !== chapter) { build(found); carryOver(); }
+      const odd = built !== chapter && (build(found), carryOver(), fromAddress());
       change();
+      if (odd) say(odd);
     },
     rows({id, columns, rows, first, strip, small: isSmall, part, isBeside, ends, last, pass, passes,
       notes: said, took}) {
@@ -685,6 +726,10 @@ function live(main, packed) {
       stand.hidden = true;
       section.dataset.state = "done";
       save.disabled = false;
+      if (pixel?.column >= columns || pixel?.row >= rows) {
+        closeLoupe();
+        say(`The address names a pixel beyond the picture of ${columns} × ${rows}.`);
+      }
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe
       // covers nothing.
       if (example === null) {
@@ -746,18 +791,22 @@ function live(main, packed) {
   };
 
   // -- The picture.
+  function reshape(width, height) {
+    Object.assign(canvas, {width, height});
+    picture.style.setProperty("--shape", width / height);
+  }
   function fit(columns, rows) {
     if (canvas.width === columns && canvas.height === rows) return;
-    Object.assign(canvas, {width: columns, height: rows});
+    reshape(columns, rows);
     if (small.width) paper.drawImage(small, 0, 0, columns, rows);
   }
   function showSmall(columns, rows) {
     if (Math.abs(canvas.width / canvas.height - columns / rows) > 0.01) {
       full = null;
-      Object.assign(canvas, {width: columns, height: rows});
+      reshape(columns, rows);
     }
     paper.drawImage(small, 0, 0, canvas.width, canvas.height);
-    section.hidden = canvas.hidden = false;
+    canvas.hidden = false;
     if (still) still.style.display = "none";
     stand.hidden = !still || !compared[chapter] || given().length > 0;
     if (turning) requestAnimationFrame(turn);
@@ -886,6 +935,7 @@ function live(main, packed) {
     if (isSmall) small.dataset.words = JSON.stringify(asked);
     const helpers = isSmall ? [] : (others || []).filter((one) => one.isReady);
     due = 1 + helpers.length;
+    if (!isSmall) toAddress();
     const message = {kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest,
       small: isSmall, parts: due};
     for (const one of others || []) one.postMessage({kind: "draw"});  // gives up what it draws
@@ -983,14 +1033,83 @@ function live(main, packed) {
     copy.textContent = "Copied";
     setTimeout(() => { copy.textContent = "Copy"; }, 2000);
   }
+  async function copyLink() {
+    toAddress();
+    try {
+      await navigator.clipboard.writeText(location.href);
+      link.textContent = "Copied";
+    } catch {
+      prompt("The link:", location.href);
+    }
+    setTimeout(() => { link.textContent = "Copy link"; }, 2000);
+  }
+
+  // -- The address: what differs from the page's begin, in the command's words and order, and the
+  // pixel that is held. Files of the reader's stay out. The playground has several chapters in one
+  // address, and keeps none.
+  const hasAddress = !main.querySelector("[name=live-chapter]");
+  let written = null;  // the address that the page itself wrote
+  const usual = (option) =>
+    begins[chapter]?.[option] ?? (preset(option) || widgets[option]?.first);
+  function toAddress() {
+    if (!hasAddress) return;
+    const list = given().map(({words}) => words)
+      .filter(([option, value]) => value === undefined
+        || value !== usual(option) && !files.get(value)?.option)
+      .map(([option, value]) =>
+        option.slice(2) + (value === undefined ? "" : `=${encodeURIComponent(value)}`));
+    if (pinned && pixel?.column !== undefined) list.push(`pixel=${pixel.column},${pixel.row}`);
+    const now = list.length ? `#${list.join("&")}` : "";
+    // a place on the page stays in the address until there is something to say
+    if (now === location.hash || !now && document.getElementById(location.hash.slice(1))) return;
+    written = now;
+    history.replaceState(history.state, "", now || location.pathname + location.search);
+  }
+  // Sets what the address says. If a part of it says nothing to this picture, all is as it begins:
+  // gives a sentence about it.
+  function fromAddress() {
+    const asked = location.hash.slice(1);
+    if (!hasAddress || !asked || document.getElementById(asked)) return "";
+    const odd = asked.split("&").filter((part) => {
+      const [name, ...rest] = part.split("=");
+      let value = rest.join("=");
+      try { value = decodeURIComponent(value); } catch { return true; }
+      if (name === "pixel" && /^\d+,\d+$/.test(value)) {
+        const [column, row] = value.split(",").map(Number);
+        pixel = {column, row};
+        pinned = true;
+        example = false;
+        return false;
+      }
+      const option = name === "errors" ? "--show" : `--${name}`;
+      if (name === "errors") value = "--errors";
+      const {typed, takes} = widgets[option] || {};
+      const isTaken = typed ? /^-?[\d.]+(e[+-]?\d+)?$/i.test(value) : takes?.(value);
+      if (isTaken) values[option] = value;
+      return !isTaken;
+    });
+    if (!odd.length) return "";
+    reset();
+    closeLoupe();
+    return `The address asks for "${odd.join("&")}", which this picture does not know. `
+      + "These are the settings it begins with.";
+  }
+  addEventListener("hashchange", () => {
+    if (location.hash === written || !hand || built !== chapter
+      || document.getElementById(location.hash.slice(1))) return;
+    reset();
+    closeLoupe();
+    const odd = fromAddress();
+    change();
+    if (odd) say(odd);
+  });
 
   // -- The form.
   function build(found) {
     built = chapter;
-    form.hidden = false;
+    section.classList.remove("live-waits");
     widgets = {};
-    rows.replaceChildren();
-    moreRows.replaceChildren();
+    for (const one of [mostRow, rows, moreRows]) one.replaceChildren();
     presets = Object.fromEntries(Object.values(found).map(({name, preset}) => [name, preset]));
     for (const control of controls) {
       const option = found[control.option];
@@ -1001,8 +1120,11 @@ function live(main, packed) {
         "--errors" in found);
       if (!widget) continue;
       widgets[control.option] = Object.assign(widget, {here: control.here});
-      (control.more ? moreRows : rows).append(widget.row);
+      (control.option === tellsMost[chapter] ? mostRow : control.more ? moreRows : rows)
+        .append(widget.row);
     }
+    mostRow.hidden = !mostRow.children.length;
+    rows.hidden = !rows.children.length;
     more.hidden = !moreRows.children.length;
     ownFiles = fileControls.filter(({option}) => found[option]?.words === "FILE")
       .map((one) => ({...one, opened: element("span")}));
@@ -1014,6 +1136,7 @@ function live(main, packed) {
     }));
     openers.hidden = !ownFiles.length;
     refined.hidden = trace.hidden = secondFrame.hidden = line.hidden = true;
+    lies[chapter] ? line.before(secondFrame) : beside.after(secondFrame);
     secondFrame.classList.toggle("live-over", !!lies[chapter]);
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
     save.hidden = !("--projection" in found);
@@ -1048,7 +1171,7 @@ function live(main, packed) {
       textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
     return {
       row: rowOf(control, about, id, box, field, typed, play, fault),
-      field, play, fault, first: "", takes: () => true,
+      field, typed, play, fault, first: "", takes: () => true,
       show(value, preset) {
         if (box) Object.assign(box, {checked: value !== "", disabled: !!preset,
           title: preset ? "this scene always blends" : ""});
@@ -1201,7 +1324,7 @@ function live(main, packed) {
     put("--lamp-up", degrees(Math.asin(y)));
     dragged = true;
   }
-  let dragged = false;
+  let dragged = false, resting = 0;
   canvas.addEventListener("pointerdown", (event) => {
     dragged = false;
     if ("--lamp-up" in widgets) canvas.setPointerCapture(event.pointerId);
@@ -1212,6 +1335,7 @@ function live(main, packed) {
     pixel = null;
     pinned = example = false;
     loupe.hidden = mark.hidden = true;  // its room stays: nothing below moves
+    if (section.dataset.state === "done") toAddress();
   }
   canvas.addEventListener("pointermove",
     (event) => {
@@ -1224,6 +1348,7 @@ function live(main, packed) {
   canvas.addEventListener("click", (event) => {
     if (dragged) return;
     pinned = !pinned || event.pointerType !== "mouse"; example = false; look(place(event));
+    toAddress();
   });
   canvas.addEventListener("blur",
     ({relatedTarget}) => { if (pinned && !section.contains(relatedTarget)) closeLoupe(); });
@@ -1244,6 +1369,8 @@ function live(main, packed) {
       example = false;
       look(pixel ? {column: moved(from.column, step[0], full[0]),
         row: moved(from.row, step[1], full[1])} : from);
+      clearTimeout(resting);
+      resting = setTimeout(toAddress, 500);
     }
   }, true);
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") closeLoupe(); });
@@ -1343,7 +1470,7 @@ function live(main, packed) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
     const list = [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned
-        ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+        ? [element("br"), element("b", {textContent: letsGo})] : [])],
     [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ",
       ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
     if (seen.distance === undefined)
@@ -1488,7 +1615,7 @@ function live(main, packed) {
     const parts = (list) => list.map((part) => typeof part === "number" ? number(part) : part);
     return [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned
-        ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+        ? [element("br"), element("b", {textContent: letsGo})] : [])],
     ...(left ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line`
       : `${values["--filter"]}, right of the line`]] : []),
     ...(seen.figure ? [["", drawing(seen.figure)]] : []),
@@ -1542,15 +1669,15 @@ function live(main, packed) {
     loupe.hidden = mark.hidden = false;
     drawMap(seen);
     drawQuadratic(seen);
-    beside.style.minHeight =
-      `${Math.max(loupe.offsetHeight, parseFloat(beside.style.minHeight) || 0)}px`;
+    room.style.minHeight =
+      `${Math.max(loupe.offsetHeight, parseFloat(room.style.minHeight) || 0)}px`;
   }
 
   // The room of the largest loupe is that of a width.
   new ResizeObserver(([{contentRect: {width}}]) => {
-    if (width !== roomOf) beside.style.minHeight = "";
+    if (width !== roomOf) room.style.minHeight = "";
     roomOf = width;
-  }).observe(beside);
+  }).observe(room);
   // A book's arrow keys turn its pages: not while they move something here.
   section.addEventListener("keydown", (event) => {
     if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation();
@@ -1561,7 +1688,7 @@ function live(main, packed) {
       chapter = one.value;
       stopTurning();
       closeLoupe();
-      beside.style.minHeight = "";
+      room.style.minHeight = "";
       clearTimeout(idle);
       hand?.terminate();  // with what it still draws
       start();
@@ -1573,21 +1700,33 @@ function live(main, packed) {
 // The chapters' module needs exceptions, as in this one: (func (try (do (nop)) (catch_all (nop)))).
 const hasExceptions = () => WebAssembly.validate(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1,
   96, 0, 0, 3, 2, 1, 0, 10, 10, 1, 8, 0, 6, 64, 1, 25, 1, 11, 11));
-addEventListener("DOMContentLoaded", async () => {
+// A page that shows another page's live picture alone asks for ?only=picture.
+if (!inWorker && new URLSearchParams(location.search).get("only") === "picture")
+  document.documentElement.classList.add("only");
+addEventListener("DOMContentLoaded", () => {
   const main = document.querySelector("main[data-live]");
-  if (!main || typeof WebAssembly === "undefined" || !hasExceptions()
-    || typeof DecompressionStream === "undefined") return;
-  try {
-    live(main, await fetched("modules",
-      main.dataset.live > "06" ? `${main.dataset.live}.js` : "modules.js"));
-  } catch (error) {
-    console.info(`The pictures stay still: ${error.message}`);
+  if (!main) return;
+  if (typeof WebAssembly === "undefined" || !hasExceptions()
+    || typeof DecompressionStream === "undefined") {
+    document.querySelector(".live-place")?.remove();
+    return;
   }
+  live(main,
+    fetched("modules", main.dataset.live > "06" ? `${main.dataset.live}.js` : "modules.js"));
 });
 
+if (inWorker && location.hash) worker();
 return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, rounded, small, painted, fetched, hire},
+  of: {element, rounded, small, painted, fetched, hire, open, unpacked,
+    // Whether this is the worker itself, which then answers.
+    isHired: (worker) => inWorker && (answering(worker()), true),
+    // A page of a single chapter begins, or says that it may not.
+    begin: (start) => addEventListener("DOMContentLoaded", () => start().catch(({message}) => {
+      placed(message.includes("policy") ? element("p", {className: "wide live-fault",
+        textContent: `The picture stays still: ${message}.`}) : "");
+      console.info(`The picture stays still: ${message}`);
+    })), placed},
 };
 })();

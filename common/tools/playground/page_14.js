@@ -1,8 +1,10 @@
 // Chapter 14's live picture: an exhibit with a slider, once by the published formula and once by
 // the course's.
 "use strict";
+if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, small, painted, fetched, hire} = texmapLive.of;
+const {element, small, painted, fetched, hire, open, unpacked, isHired, begin, placed}
+  = texmapLive.of;
 
 function worker() {
   let code;
@@ -30,10 +32,10 @@ const unlike = (a, b) => {
   return count;
 };
 
-async function begin() {
+async function show() {
   const [{bytes: packed}, {bytes: picture}] =
     await Promise.all([fetched("module_14", "module_14.js"), fetched("earth.png", "earth.js")]);
-  const ask = hire(worker);
+  const ask = hire(worker, "page_14.js");
   const dials = await ask("load", packed, picture);
 
   const choice = element("select", {id: "exhibit"},
@@ -57,7 +59,7 @@ async function begin() {
       element("label", {className: "budget-switch"}, inDouble, " both in double")),
     element("p", {className: "budget-row"}, label, ": ", value), slider,
     element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
-  (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
+  placed(section);
 
   const isWhole = (dial) => dial.exhibit === "highlight";
   const valueOf = (dial) => isWhole(dial) ? Number(slider.value)
@@ -114,6 +116,5 @@ async function begin() {
   slider.oninput = inDouble.onchange = () => change();
   choose();
 }
-addEventListener("DOMContentLoaded",
-  () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
+if (!isHired(worker)) begin(show);
 })();

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""The book as a server sends it whose policy forbids styles, scripts and pictures that are no
+files: what the first screen shows, and addresses that hold a state.
+
+usage: test_served.py BOOK ROOT     as test_book.py
+"""
+import functools
+import http.server
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.append(str(Path(__file__).resolve().parents[1] / "browser"))
+from browser import installed, run_checks  # noqa: E402
+
+FILES_ALONE = "default-src 'self'"
+WITH_WASM = FILES_ALONE + "; script-src 'self' 'wasm-unsafe-eval'"
+LIVE = "document.querySelector('.live, .budget, .hero')"
+DONE = f"{LIVE}?.dataset.state === 'done'"
+SAYS = "document.querySelector('.live-says').textContent"
+COMMAND = "document.querySelector('.live-command code').textContent"
+# What moves by itself, as parts of the window.
+SHIFTS = """window.shift = 0; new PerformanceObserver((list) => {
+  for (const one of list.getEntries()) if (!one.hadRecentInput) shift += one.value;
+}).observe({type: "layout-shift", buffered: true});"""
+BOTTOM = "(what) => document.querySelector(what)?.getBoundingClientRect().bottom ?? 0"
+
+
+class Place:
+    """The book, and a server with a policy."""
+
+    def __init__(self, book, root, out):
+        self.out, self.policy = out, WITH_WASM
+        subprocess.run([book, root, out], stdout=subprocess.DEVNULL, check=True)
+        self.chapters = sorted(page.name for page in out.glob("[0-9][0-9]_*.html"))
+        place = self
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def end_headers(self):
+                self.send_header("Content-Security-Policy", place.policy)
+                super().end_headers()
+
+            def log_message(self, *_):
+                pass
+
+        self.server = http.server.ThreadingHTTPServer(
+            ("127.0.0.1", 0), functools.partial(Handler, directory=out))
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def open(self, browser, page, is_file=False):
+        browser.open("about:blank")
+        browser.open(f"file://{self.out}/{page}" if is_file
+                     else f"http://127.0.0.1:{self.server.server_port}/{page}")
+
+
+def check_screens(place, browser):
+    """With WebAssembly allowed all lives, without a message: the picture and its control are in the
+    first screen, and nothing moves when they come."""
+    browser.call("Page.addScriptToEvaluateOnNewDocument", source=SHIFTS)
+    for width, height in ((1280, 900), (360, 800)):
+        browser.size(width, height)
+        for page in [*place.chapters, "index.html", "symptoms.html"]:
+            place.open(browser, page)
+            browser.wait("true" if page[:2] in ("00", "sy") else DONE, 60)
+            shift = browser.run("shift")
+            if shift > 0.05:
+                yield f"{page}, {width} wide: {shift:.3f} of the window moves"
+            for what in (".live-most, #budget, #extreme",
+                         ".live-picture > canvas, .budget-plot svg"):
+                bottom = browser.run(f"({BOTTOM})({what!r})")
+                if not 0 < bottom <= height and "01" <= page[:2] <= "13" and not (
+                        width < 400 and what.startswith(".live-picture")):
+                    yield f"{page}, {width} wide: {what} ends at {bottom}"
+    styled = [page for page in place.out.rglob("*.html") if "diff" not in page.parts and re.search(
+        r'<[^>]* (style|on\w+)="|<style|<script>|data:', page.read_text())]
+    if styled:
+        yield f"not in files of their own: {styled[:5]}"
+
+
+def check_forbidden(place, browser):
+    """Where the policy forbids WebAssembly the pages say so, and the still picture is there."""
+    place.policy = FILES_ALONE
+    for page in [*place.chapters[1:], "index.html"]:
+        place.open(browser, page)
+        browser.wait("document.body.textContent.includes('policy forbids WebAssembly')", 30)
+        if browser.run("[...document.querySelectorAll('main img, main svg')].every((one) => "
+                       "one.getBoundingClientRect().height < 100)"):
+            yield f"{page}: no picture"
+
+
+def check_addresses(place, browser):
+    """An address holds settings and a pixel: they are set, in the command's order, and come back.
+    Nonsense gives the page's begin, and a line; a heading stays."""
+    place.policy, begin = WITH_WASM, "./course run 05"
+    for is_file in (False, True):
+        for asked, command, becomes, says in (
+                ("degrees=63&convention=daily&pixel=444,277",
+                 begin + " --degrees 63 --convention daily", None, ""),
+                ("convention=daily&degrees=63", begin + " --degrees 63 --convention daily",
+                 "#degrees=63&convention=daily", ""),
+                ("look-for", begin, "#look-for", ""),
+                ("degrees=63&colour=red", begin, "", '"colour=red"'),
+                ("degrees=63x", begin, "", '"degrees=63x"'),
+                ("convention=none&pixel=4,4", begin, "", '"convention=none"'),
+                ("pixel=4000,2", begin, "", "beyond the picture")):
+            place.open(browser, "05_y_rotation.html#" + asked, is_file)
+            becomes = "#" + asked if becomes is None else becomes
+            browser.wait(f"{DONE} && {COMMAND} === {command!r} && location.hash === {becomes!r}",
+                         20)
+            if says not in browser.run(SAYS) or not says and browser.run(SAYS):
+                yield f"{asked}: the page says {browser.run(SAYS)!r}"
+            if "277" in asked:
+                browser.wait("document.querySelector('.live-loupe').textContent.includes("
+                             "'column 444, row 277')", 20)
+        # A moved slider is in the address, and an address of hand moves the slider.
+        field = "document.getElementById('live--degrees')"
+        browser.run(f"{field}.value = 12; {field}.dispatchEvent(new Event('input'))")
+        browser.wait("location.hash === '#degrees=12'", 20)
+        browser.run("location.hash = 'degrees=77&samples=4'")
+        browser.wait(f"{field}.value === '77' && {COMMAND}.endsWith('--samples 4')", 20)
+        place.open(browser, "05_y_rotation.html?only=picture#degrees=63", is_file)
+        browser.wait(DONE, 20)
+        browser.size(320, 600)
+        if browser.run("[...document.querySelectorAll('header, h1, main > p')].some((one) => "
+                       "one.getClientRects().length) || document.documentElement.scrollWidth > 320 "
+                       f"|| ({BOTTOM})('.live-most') > 600"):
+            yield "?only=picture shows more than the picture, or it does not fit"
+        browser.size(1280, 900)
+
+
+def main(words):
+    if len(words) != 2:
+        raise SystemExit(__doc__.strip())
+    book, root = (Path(word).resolve() for word in words)
+    if not installed() or not (root / "docs/live/modules.js").exists():
+        print("skipped: no browser (chromium or google-chrome) is installed, or no live pictures")
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        place = Place(book, root, Path(folder))
+        failed = run_checks((check_screens, check_forbidden, check_addresses), place)
+        place.server.shutdown()
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
