@@ -34,7 +34,7 @@ class Place:
     """The book, and a server with a policy."""
 
     def __init__(self, book, root, out):
-        self.out, self.policy = out, WITH_WASM
+        self.root, self.out, self.policy = root, out, WITH_WASM
         subprocess.run([book, root, out], stdout=subprocess.DEVNULL, check=True)
         self.chapters = sorted(page.name for page in out.glob("[0-9][0-9]_*.html"))
         place = self
@@ -96,11 +96,15 @@ def check_addresses(place, browser):
     """An address holds settings and a pixel: they are set, in the command's order, and come back.
     Nonsense gives the page's begin, and a line; a heading stays."""
     place.policy, begin = WITH_WASM, "./course run 05"
+    said = subprocess.run([place.root / "course", "run", "05", *"--convention daily --degrees=63 "
+                           "--link".split()], stdout=subprocess.PIPE, text=True).stdout.strip()
+    if not said.endswith("/out/05_y_rotation.html#convention=daily&degrees=63"):
+        yield f"./course run 05 --link prints {said}"
     for is_file in (False, True):
         for asked, command, becomes, says in (
                 ("degrees=63&convention=daily&pixel=444,277",
                  begin + " --degrees 63 --convention daily", None, ""),
-                ("convention=daily&degrees=63", begin + " --degrees 63 --convention daily",
+                (said.partition("#")[2], begin + " --degrees 63 --convention daily",
                  "#degrees=63&convention=daily", ""),
                 ("look-for", begin, "#look-for", ""),
                 ("degrees=63&colour=red", begin, "", '"colour=red"'),

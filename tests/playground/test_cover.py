@@ -183,7 +183,8 @@ def check_still(place, browser):
             other.open(place.page)
             time.sleep(1)
             other.call("Emulation.setScriptExecutionDisabled", value=False)
-            if other.run(f"{CANVAS}.offsetWidth + {SLIDER}.offsetWidth > 0 || "
+            if other.run(f"[{CANVAS}, {SLIDER}].some((one) => "
+                         "one.checkVisibility({visibilityProperty: true})) || "
                          "document.querySelector('.stage img').offsetHeight < 100"):
                 yield f"{lacks}: there are controls, or no picture"
             yield from other.log if lacks != "no module" else []

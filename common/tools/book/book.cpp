@@ -170,8 +170,10 @@ class Book {
       if (page.converted.sections.empty())
         throw std::runtime_error(page.source + " does not begin with a title");
       const fs::path measured = out_ / (page.chapter + ".json");
-      page.converted.html = with_sheet(list, page.chapter, page.converted.html,
-                                       fs::exists(measured) ? contents_of(measured) : "");
+      page.converted.html = with_sheet(list, page.chapter, page.converted.html);
+      if (fs::exists(measured))  // for page_13.js
+        page.converted.html += "<script type=\"application/json\" id=\"measured\">" +
+                               contents_of(measured) + "</script>\n";
     }
     check_names();
     for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
@@ -183,7 +185,7 @@ class Book {
     for (const char* const copied : {"book.css", "sheets.css", "cover.js", "favicon.svg"})
       write(out_ / copied, contents_of(folder() / copied));
     write(out_ / "sizes.css", sizes_);
-    write(out_ / "source.css", line_numbers());
+    write(out_ / "source.css", "@import \"book.css\";\n" + line_numbers());
     write(out_ / "book.js",
           search_index() + contents_of(folder() / "book.js") + contents_of(folder() / "sheets.js"));
   }
@@ -256,7 +258,8 @@ class Book {
     if (!target.has_filename()) target = target.parent_path();
     if (fs::is_directory(root_ / target)) target /= "README.md";
     if (const Page* const page = page_of(target)) {
-      named_.push_back({from, page->source, anchor});
+      // a state of a live picture is no heading: #degrees=63
+      if (anchor.find('=') == std::string::npos) named_.push_back({from, page->source, anchor});
       return page->file + anchor;
     }
     if (is_of_no_chapter(target.generic_string())) return "";
@@ -363,16 +366,17 @@ class Book {
     return html + "</ul>\n";
   }
 
-  /// The begin of a page: servers may forbid styles and pictures that are no files.
+  /// The begin of a page, without the tags that HTML need not have: 280 pages have it. Servers may
+  /// forbid styles and pictures that are no files.
   static std::string head_of(const std::string& title, const std::vector<const char*>& sheets,
                              const std::string& up = "") {
     std::string html =
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
         escaped_markup(title) + "</title>\n<link rel=\"icon\" href=\"" + up + "favicon.svg\">\n";
     for (const char* const sheet : sheets)
       html += "<link rel=\"stylesheet\" href=\"" + up + sheet + "\">\n";
-    return html + "</head>\n<body>\n";
+    return html;
   }
 
   /// The page with rules of sizes.css in place of styles within its tags.
@@ -406,8 +410,7 @@ class Book {
   [[nodiscard]] std::string framed(const std::string& title, const std::string& body,
                                    std::size_t current, const std::string& up = "") {
     const std::string sized_body = with_rules(body);
-    std::vector<const char*> sheets{"book.css"};
-    if (!up.empty()) sheets.push_back("source.css");
+    std::vector<const char*> sheets{up.empty() ? "book.css" : "source.css"};
     if (body.find("class=\"sheet ") != std::string::npos) sheets.push_back("sheets.css");
     if (sized_body != body) sheets.push_back("sizes.css");
     const std::string live = up.empty() ? live_chapter(current) : "";
@@ -431,8 +434,9 @@ class Book {
       html.append(" data-live=\"").append(live).append("\"");
     html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
-    if (body.find("class=\"hero ") != std::string::npos) {
+    if (live_ && body.find("class=\"hero ") != std::string::npos) {
       html +=
+          "<script src=\"live/live.js\" defer></script>\n"
           "<script src=\"cover.js\" defer></script>\n"
           "<script src=\"live/cover.js\" defer></script>\n";
     }
@@ -441,7 +445,7 @@ class Book {
       if (fs::exists(playground() / own_script(live)))
         html.append("<script src=\"live/" + own_script(live) + "\" defer></script>\n");
     }
-    return html + "</body>\n</html>\n";
+    return html;
   }
 
   /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone.
@@ -646,6 +650,7 @@ class Book {
         out_ / "pictures/microscope.png",
         encode_png(microscope::draw({load_image(map)}, radii, 320, 0, 320), Packing::close));
     std::string html = contents_of(folder() / "cover.html");
+    if (!live_) replace_first(html, " waits", "");
     if (page_of("chapters/14_numerical_extremes/README.md") == nullptr)
       replace_first(html, "<a" + between(html, "<a", "</a>") + "</a>", "");
     return html;
@@ -748,7 +753,7 @@ class Book {
     }
     write(out_ / "print.html",
           head_of("Texture Mapping, Step by Step", {"book.css", "sheets.css", "sizes.css"}) +
-              "<main>\n" + with_rules(body) + "</main>\n</body>\n</html>\n");
+              "<main>\n" + with_rules(body) + "</main>\n");
   }
 
   /// The page's links as places of the printed book.

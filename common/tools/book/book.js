@@ -155,21 +155,12 @@ for (const button of document.querySelectorAll("button[data-frames]")) {
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let timer = 0, frame = 0;
   const turn = () => { image.src = frames[frame++ % frames.length]; };
-  const stop = () => {
-    clearInterval(timer);
-    timer = frame = 0;
-    image.src = still;
-    button.textContent = "Turn the globe";
-  };
   button.addEventListener("click", () => {
-    if (timer) {
-      stop();
-    } else if (calm.matches) {  // a picture for each click
-      turn();
-    } else {
-      timer = setInterval(turn, 100);
-      button.textContent = "Stop";
-    }
+    const starts = !timer && !calm.matches;
+    clearInterval(timer);
+    if (calm.matches) turn();
+    else if (!starts) image.src = still;
+    timer = starts ? setInterval(turn, 100) : 0;
+    button.textContent = starts ? "Stop" : "Turn the globe";
   });
-  calm.addEventListener("change", () => { if (timer) stop(); });
 }

@@ -10,17 +10,10 @@ const texmapCover = async (packed, earth) => {
   const part = (what) => hero.querySelector(what);
   const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span",
     "table", ".said"].map(part);
-  const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  const {open, unpacked, bytesOf} = texmapLive.of;
   let code;
   try {
-    const stream = new Blob([bytesOf(packed)]).stream()
-      .pipeThrough(new DecompressionStream("deflate"));
-    const module = await WebAssembly.compile(await new Response(stream).arrayBuffer());
-    const imports = {};
-    for (const {module: from, name} of WebAssembly.Module.imports(module))
-      (imports[from] ??= {})[name] = () => 0;
-    code = (await WebAssembly.instantiate(module, imports)).exports;
-    code._initialize();
+    code = (await open(await WebAssembly.compile(await unpacked(bytesOf(packed))))).calls;
     const map = bytesOf(earth), start = code.take(map.length);
     new Uint8Array(code.memory.buffer).set(map, start);
     if (!code.keep_map(start, map.length)) throw new Error();

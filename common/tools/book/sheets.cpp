@@ -165,9 +165,8 @@ std::string layouts(Reader reader) {
          figure(reader.picture(caption), caption) + "</div>\n";
 }
 
-/// Chapter 13: what each way changes, and what the colors mean; before it, for sheets.js, what was
-/// measured. Then the sheet goes to `rest`.
-std::string ways(Reader reader, const std::string& measured, std::string& rest) {
+/// Chapter 13: what each way changes, and what the colors mean.
+std::string ways(Reader reader) {
   std::string html = "<div class=\"sheet wide four\">\n";
   const std::size_t panels = 16;
   for (std::size_t i = 0; i < panels; ++i) {
@@ -183,11 +182,7 @@ std::string ways(Reader reader, const std::string& measured, std::string& rest) 
     const std::string color = reader.shown(reader.picture(), "", " width=\"22\" height=\"14\"");
     html += " <span>" + color + " " + reader.words() + "</span>";
   }
-  html += "</p>\n";
-  if (measured.empty()) return html;
-  rest = html;
-  return "<figure class=\"wide trade\"><script type=\"application/json\">" + measured +
-         "</script></figure>\n";
+  return html + "</p>\n";
 }
 
 /// Chapter 14: each exhibit as a pair of pictures, in float; a click shows the pair in double.
@@ -260,8 +255,7 @@ std::string exhibits(const Reader& reader, std::string page, const std::string& 
 
 }  // namespace
 
-std::string with_sheet(const std::string& list, const std::string& chapter, std::string page,
-                       const std::string& measured) {
+std::string with_sheet(const std::string& list, const std::string& chapter, std::string page) {
   const std::string head = "sheet " + chapter + " ";
   const std::size_t begin = list.find(head);
   Reader reader;
@@ -278,7 +272,7 @@ std::string with_sheet(const std::string& list, const std::string& chapter, std:
                number == "04"   ? conventions(reader, rest)
                : number == "09" ? filters(reader)
                : number == "10" ? layouts(reader)
-                                : ways(reader, measured, rest));
+                                : ways(reader));
   const std::string look = "<h2 id=\"look-for\">Look for</h2>\n";
   const std::size_t below = page.find(look);
   if (below != std::string::npos) page.insert(below + look.size(), rest);

@@ -8,9 +8,8 @@ namespace texmap::book {
 /// sheet.
 ///
 /// @param list      what stands on the sheets, as tests/pages/page_sheets.cpp prints it
-/// @param measured  what chapter 13 measured on this machine, as JSON, or nothing
 /// Errors: std::runtime_error if the list is not that of the sheet.
 [[nodiscard]] std::string with_sheet(const std::string& list, const std::string& chapter,
-                                     std::string page, const std::string& measured);
+                                     std::string page);
 
 }  // namespace texmap::book

@@ -445,6 +445,17 @@ function hire(worker, script) {
 }
 const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−")
   : rounded(value, 2);
+// Copies what an element shows, for a button that then says so.
+async function copied(button, name, shown) {
+  try {
+    await navigator.clipboard.writeText(shown.textContent);
+  } catch {
+    getSelection().selectAllChildren(shown);
+    document.execCommand("copy");
+  }
+  button.textContent = "Copied";
+  setTimeout(() => { button.textContent = name; }, 2000);
+}
 function painted(canvas, pixels, width, height) {
   Object.assign(canvas, {width, height});
   canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer),
@@ -526,9 +537,13 @@ async function live(main, script) {
   const moreRows = element("div", {className: "live-rows"});
   const more = element("details", {}, element("summary", {textContent: "More"}), moreRows);
   const command = element("code");
-  const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
-  const link = element("button", {type: "button", textContent: "Copy link", onclick: copyLink,
-    title: "the address of this page with these settings"});
+  const copy = element("button", {type: "button", textContent: "Copy",
+    onclick: () => copied(copy, "Copy", command)});
+  const link = element("button", {type: "button", textContent: "Copy link", onclick: () => {
+    toAddress();
+    hereOnly.textContent = location.href;
+    copied(link, "Copy link", hereOnly);
+  }});
   const hereOnly = element("span");
   const openers = element("span", {className: "live-openers"});
   const save = element("button",
@@ -1022,26 +1037,6 @@ async function live(main, script) {
       : main.dataset.note || "";
     legend.replaceChildren(...[legends[values["--show"]]
       || [hints[chapter]?.(values), hint].filter(Boolean).join(" ")].flat());
-  }
-  async function copyCommand() {
-    try {
-      await navigator.clipboard.writeText(command.textContent);
-    } catch {
-      getSelection().selectAllChildren(command);
-      document.execCommand("copy");
-    }
-    copy.textContent = "Copied";
-    setTimeout(() => { copy.textContent = "Copy"; }, 2000);
-  }
-  async function copyLink() {
-    toAddress();
-    try {
-      await navigator.clipboard.writeText(location.href);
-      link.textContent = "Copied";
-    } catch {
-      prompt("The link:", location.href);
-    }
-    setTimeout(() => { link.textContent = "Copy link"; }, 2000);
   }
 
   // -- The address: what differs from the page's begin, in the command's words and order, and the
@@ -1719,7 +1714,7 @@ if (inWorker && location.hash) worker();
 return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, rounded, small, painted, fetched, hire, open, unpacked,
+  of: {element, rounded, small, copied, painted, fetched, hire, open, unpacked, bytesOf,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),
     // A page of a single chapter begins, or says that it may not.

@@ -6,12 +6,12 @@ import sys
 import zlib
 
 sys.dont_write_bytecode = True
-from make_playground import HERE, in_base64, read, write  # noqa: E402
+from make_playground import HERE, in_15_bits, read, write_script  # noqa: E402
 
 if len(sys.argv) != 3:
     raise SystemExit(__doc__)
 # to make it again: convert assets/earth.png -quality 60
 earth = read(os.path.join(HERE, "cover_earth.jpg"))
 packed = zlib.compress(read(sys.argv[1]), 9)
-write(os.path.join(sys.argv[2], "cover.js"),
-      f'texmapCover("{in_base64(packed)}", "{in_base64(earth)}");\n')
+write_script(os.path.join(sys.argv[2], "cover.js"),
+             f'texmapCover("{in_15_bits(packed)}", "{in_15_bits(earth)}");\n')
