@@ -14,19 +14,18 @@ foreach(chapter IN LISTS CHAPTERS)
   string(APPEND figures "<figure id=\"${chapter}\"><img src=\"${chapter}.png\" alt=\"${alt}\">
 <figcaption><b>${CMAKE_MATCH_1}</b>: ${CMAKE_MATCH_2}</figcaption></figure>\n")
 endforeach()
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/book/book.css" "${CMAKE_CURRENT_LIST_DIR}/book/favicon.svg" DESTINATION "${GALLERY}")
 file(WRITE "${GALLERY}/index.html.new" "<!doctype html>
 <html lang=\"en\">
 <meta charset=\"utf-8\">
 <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">
 <title>Texture Mapping, Step by Step</title>
-<style>
-:root { color-scheme: light dark; }
-body { font: 1rem/1.5 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 60rem; background: Canvas; color: CanvasText; }
-figure { margin: 0 0 2rem; }
-img { max-width: 100%; display: block; }
-</style>
+<link rel=\"icon\" href=\"favicon.svg\">
+<link rel=\"stylesheet\" href=\"book.css\">
+<main>
 <h1>Texture Mapping, Step by Step</h1>
-${figures}</html>\n")
+${figures}</main>
+</html>\n")
 file(RENAME "${GALLERY}/index.html.new" "${GALLERY}/index.html")
 list(LENGTH CHAPTERS count)
 message(STATUS "${count} chapters are in ${GALLERY}/index.html")
