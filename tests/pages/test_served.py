@@ -123,6 +123,10 @@ def check_addresses(place, browser):
             if "277" in asked:
                 browser.wait("document.querySelector('.live-loupe').textContent.includes("
                              "'column 444, row 277')", 20)
+        place.open(browser, "06_phong_texture_blend.html#scene=lecture", is_file)  # presets others
+        browser.wait(f"{DONE} && {COMMAND} === './course run 06 --scene lecture'", 20)
+        place.open(browser, "05_y_rotation.html", is_file)
+        browser.wait(DONE, 20)
         # A moved slider is in the address, and an address of hand moves the slider.
         field = "document.getElementById('live--degrees')"
         browser.run(f"{field}.value = 12; {field}.dispatchEvent(new Event('input'))")

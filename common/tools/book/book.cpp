@@ -186,8 +186,7 @@ class Book {
       write(out_ / copied, contents_of(folder() / copied));
     write(out_ / "sizes.css", sizes_);
     write(out_ / "source.css", "@import \"book.css\";\n" + line_numbers());
-    write(out_ / "book.js",
-          search_index() + contents_of(folder() / "book.js") + contents_of(folder() / "sheets.js"));
+    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js"));
   }
 
   /// Links and pictures that lead nowhere.

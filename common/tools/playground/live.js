@@ -1043,7 +1043,6 @@ async function live(main, script) {
   // pixel that is held. Files of the reader's stay out. The playground has several chapters in one
   // address, and keeps none.
   const hasAddress = !main.querySelector("[name=live-chapter]");
-  let written = null;  // the address that the page itself wrote
   const usual = (option) =>
     begins[chapter]?.[option] ?? (preset(option) || widgets[option]?.first);
   function toAddress() {
@@ -1057,7 +1056,6 @@ async function live(main, script) {
     const now = list.length ? `#${list.join("&")}` : "";
     // a place on the page stays in the address until there is something to say
     if (now === location.hash || !now && document.getElementById(location.hash.slice(1))) return;
-    written = now;
     history.replaceState(history.state, "", now || location.pathname + location.search);
   }
   // Sets what the address says. If a part of it says nothing to this picture, all is as it begins:
@@ -1065,6 +1063,7 @@ async function live(main, script) {
   function fromAddress() {
     const asked = location.hash.slice(1);
     if (!hasAddress || !asked || document.getElementById(asked)) return "";
+    carried = {};
     const odd = asked.split("&").filter((part) => {
       const [name, ...rest] = part.split("=");
       let value = rest.join("=");
@@ -1080,18 +1079,20 @@ async function live(main, script) {
       if (name === "errors") value = "--errors";
       const {typed, takes} = widgets[option] || {};
       const isTaken = typed ? /^-?[\d.]+(e[+-]?\d+)?$/i.test(value) : takes?.(value);
-      if (isTaken) values[option] = value;
+      if (isTaken) carried[option] = value;
       return !isTaken;
     });
-    if (!odd.length) return "";
-    reset();
+    if (!odd.length) {
+      carryOver();
+      return "";
+    }
+    carried = {};
     closeLoupe();
     return `The address asks for "${odd.join("&")}", which this picture does not know. `
       + "These are the settings it begins with.";
   }
   addEventListener("hashchange", () => {
-    if (location.hash === written || !hand || built !== chapter
-      || document.getElementById(location.hash.slice(1))) return;
+    if (!hand || built !== chapter || document.getElementById(location.hash.slice(1))) return;
     reset();
     closeLoupe();
     const odd = fromAddress();
