@@ -621,21 +621,23 @@ class Book {
 
   /// A dot for each exercise of a chapter, full if ./course check has passed it.
   [[nodiscard]] std::string exercises_done(const std::string& chapter) const {
-    if (!fs::is_directory(root_ / "chapters" / chapter / "exercises")) return "";
+    const std::string number = chapter.substr(0, 2);
     const fs::path file = out_ / "exercises/passed.txt";
     const std::vector<std::string> passed =
         fs::exists(file) ? lines_of(contents_of(file)) : std::vector<std::string>{};
     std::string dots;
-    int done = 0;
-    for (const char* number : {".1 ", ".2 ", ".3 "}) {
-      const std::string exercise = chapter.substr(0, 2) + number;
+    int done = 0, all = 0;
+    const char* of = "tests/exercises/%s_%d.hpp";
+    for (; fs::exists(root_ / text(of, number.c_str(), all + 1)); ++all) {
+      const std::string exercise = text("%s.%d ", number.c_str(), all + 1);
       const bool is_done = std::any_of(passed.begin(), passed.end(), [&](const std::string& line) {
         return line.rfind(exercise, 0) == 0;
       });
       done += is_done ? 1 : 0;
       dots += is_done ? "●" : "○";
     }
-    return text(" <span role=\"img\" aria-label=\"%d of 3 exercises done\">%s</span>", done,
+    if (all == 0) return "";
+    return text(" <span role=\"img\" aria-label=\"%d of %d exercises done\">%s</span>", done, all,
                 dots.c_str());
   }
 
@@ -705,7 +707,7 @@ class Book {
         hero() +
         "<p class=\"lead\">How a picture is wrapped round a surface, in a ray tracer that is small "
         "enough to read. Each chapter is one program that adds one idea to the chapter before "
-        "it.</p>\n<p class=\"wide legend\">○○○ are a chapter's exercises; ● is one that "
+        "it.</p>\n<p class=\"wide legend\">○ is an exercise of a chapter; ● is one that "
         "has passed <code>./course check</code>.</p>\n<ol class=\"path wide\" id=\"contents\">\n";
     for (const Page& page : pages_) {
       if (page.chapter.empty()) continue;
