@@ -1,18 +1,22 @@
-// Exercise 10.1: onto a cylinder
+// Exercise 10.1: a round map
 //
-// p is a point of the unit sphere around the origin. It moves straight out, away from the y axis,
-// to a cylinder around the sphere. The unrolled cylinder is the picture. Return p's place on it:
-//   u runs around as on page 02: 1/4 on +z, 1/2 on +x, 3/4 on -z; the seam is on -x.
-//   v is the height on the cylinder: 0 at y = -1, 1/2 at y = 0, 1 at y = 1.
+// A round map shows the whole Earth. The north pole is in its middle, and the south pole is all of
+// its rim. Equal areas of the Earth have equal areas on the map. The rim is a circle that touches
+// the four sides of the unit square. Straight lines lead from the pole outward: seen from above,
+// each point is in the direction in which it is on the Earth, with +x to the right and -z up.
+// p is a direction of length 1. Return its place (u, v).
 #include "exercise.hpp"
 
-Uv on_cylinder(Vec3 p) {
+Uv on_round_map(Vec3 p) {
   // solution
-  const double u = 0.5 - std::atan2(p.z, p.x) / (2 * pi);
-  const double v = (1 + p.y) / 2;
-  return {u, v};
-  // start: // Your lines here. Vec3 has .x, .y and .z; pi is there, and all of <cmath>.
+  const double from_axis = std::hypot(p.x, p.z);
+  if (from_axis == 0) return {0.5, 0.5};  // the pole itself
+  const double radius = std::sqrt((1 - p.y) / 2) / 2;
+  return {0.5 + radius * p.x / from_axis, 0.5 - radius * p.z / from_axis};
+  // start: // Your lines here.
   // start: return {p.x, p.y};
 }
-// hint: The angle around the axis is std::atan2(p.z, p.x), in radians. It grows westward.
-// hint: v does not need an angle: the height is p.y, -1 to 1. Move it to 0 to 1.
+// hint: The cap of the sphere from the pole down to the height y has the area 2 pi (1 - y).
+// hint: All of the sphere, 4 pi, fills a circle of radius 1/2. Which circle has the cap's share?
+// hint: Seen from above p lies in the direction (x, -z). Make that a vector of length 1 first.
+// hint: At the pole itself this vector is 0, and 0 / 0 is no number.

@@ -1,25 +1,21 @@
-// Exercise 10.2: fold out an octahedron
+// Exercise 10.2: a sky on half an octahedron
 //
-// p is a direction of any length. Divide it by |x| + |y| + |z|: it lies on an octahedron. Seen from
-// above, with -z up in the picture, its place is (a, b) = (x, -z). That is all for the upper half.
-// The lower half is folded out: where y < 0, the place becomes
-//     (sign(a) (1 - |b|), sign(b) (1 - |a|))
-// Return (u, v): a and b moved from -1 to 1 to 0 to 1. (sign is 1 for numbers above 0, -1 below.)
+// A sky needs the upper half of all directions, so the upper four faces of the octahedron will do.
+// Seen from above they fill a square that stands on its corner. Turn this square clockwise, by an
+// eighth of a turn, so that it stands on a side, and enlarge it so that it fills the picture: +x is
+// then in the lower right corner, and -z in the upper right one.
+// p is a direction of any length with y at least 0. Return its place (u, v).
 #include "exercise.hpp"
 
-Uv on_octahedron(Vec3 p) {
+Uv on_half_octahedron(Vec3 p) {
   // solution
   const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-  double a = p.x / s;
-  double b = -p.z / s;
-  if (p.y < 0) {
-    const double a_before = a;
-    a = std::copysign(1 - std::abs(b), a);
-    b = std::copysign(1 - std::abs(a_before), b);
-  }
-  return {(1 + a) / 2, (1 + b) / 2};
-  // start: // Your lines here. std::abs(x) is |x|; std::copysign(size, x) is size with x's sign.
+  const double a = p.x / s;
+  const double b = -p.z / s;
+  return {(1 + a + b) / 2, (1 - a + b) / 2};
+  // start: // Your lines here. std::abs(x) is |x|.
   // start: return {p.x, -p.z};
 }
-// hint: First the upper half: s = |x| + |y| + |z|, a = x / s, b = -z / s, u = (1 + a) / 2.
-// hint: Where p.y < 0, change a and b. The new b needs the old a: keep it in a variable.
+// hint: Before the turn +x is at (a, b) = (1, 0), -z at (0, 1) and the zenith at (0, 0).
+// hint: Turned and enlarged, with (0, 0) still in the middle, (1, 0) is at (1, -1). And (0, 1)?
+// hint: A turn takes a times the place of (1, 0) plus b times the place of (0, 1).

@@ -1,7 +1,7 @@
 // Exercise 10.3: back from the cylinder
 //
 // To make a picture in a layout, a program asks for each texel: which direction is here? (u, v) is
-// a place on the unrolled cylinder of exercise 10.1. Return its point on the unit sphere.
+// a place on the unrolled cylinder of the page. Return its point on the unit sphere.
 #include "exercise.hpp"
 
 Vec3 direction_of(Uv uv) {
@@ -10,7 +10,7 @@ Vec3 direction_of(Uv uv) {
   const double y = 2 * uv.v - 1;
   const double radius = std::sqrt(1 - y * y);  // of the circle at this height
   return {radius * std::cos(angle), y, radius * std::sin(angle)};
-  // start: // Your lines here. Solve exercise 10.1's two formulas for the angle and for y.
+  // start: // Your lines here. Solve the cylinder's two formulas for the angle and for y.
   // start: return {1, uv.v, uv.u};
 }
 // hint: From u = 1/2 - angle / 2 pi follows angle = (1/2 - u) 2 pi. std::cos wants radians.

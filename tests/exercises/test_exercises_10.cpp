@@ -3,27 +3,34 @@
 
 const std::vector<double> texmap::test::answers{1816 * 908, 30};
 
-static Uv halved(D a, D b) { return {(1 + a) / 2, (1 + b) / 2}; }
-static D sum(V p) { return abs(p.x) + abs(p.y) + abs(p.z); }
-
 TEST_CASE("10: strangers' answers get their words") {
-  const auto at = [](const char* text, auto place) {  // of the right u
-    on_cylinder(text, [=](V p) { return place(0.5 - atan2(p.z, p.x) / (2 * pi), p); });
-  };
-  at("equirectangular", [](D u, V p) { return Uv{u, 0.5 + asin(p.y) / pi}; });
-  at("mirrored", [](D u, V p) { return Uv{1 - u, (1 + p.y) / 2}; });
-  at("1/2 is missing", [](D u, V p) { return Uv{0.5 - u, (1 + p.y) / 2}; });
-  at("1/2 is missing", [](D u, V p) { return Uv{u - 0.5, p.y}; });
-
-  on_octahedron("nothing is folded", [](V p) { return halved(p.x / sum(p), -p.z / sum(p)); });
-  const auto folded = [](const char* text, auto fold) {
-    on_octahedron(text, [=](V p) {
-      return p.y < 0 ? fold(p.x / sum(p), -p.z / sum(p)) : halved(p.x / sum(p), -p.z / sum(p));
+  const auto at = [](const char* text, auto radius) {  // of the height
+    on_round_map(text, [=](V p) {
+      const D w = atan2(-p.z, p.x), r = radius(p.y);
+      return Uv{0.5 + r * cos(w), 0.5 + r * sin(w)};
     });
   };
-  folded("b is not folded", [](D a, D b) { return halved(copysign(1 - abs(b), a), b); });
-  folded("size first", [](D a, D b) { return halved(copysign(a, 1 - b), copysign(b, 1 - a)); });
-  folded("counts twice", [](D a, D b) { return halved(a * (1 - abs(b)), b * (1 - abs(a))); });
+  at("equal steps of the angle", [](D y) { return acos(y) / (2 * pi); });
+  at("the root is missing", [](D y) { return (1 - y) / 4; });
+  at("(1 - y) / 2", [](D y) { return sqrt(1 - y) / 2; });
+  at("larger than the square", [](D y) { return sqrt((1 - y) / 2); });
+  at("below the north", [](D y) { return sin(acos(y)) / 2; });
+  on_round_map("0 / 0", [](V p) {
+    const V out = normalize(V{p.x, 0, -p.z});
+    return Uv{0.5, 0.5} + Uv{out.x, out.z} * sqrt((1 - p.y) / 8);
+  });
+
+  const auto turned = [](const char* text, auto turn) {  // of the place on the octahedron
+    on_half_octahedron(text, [=](V p) {
+      const D s = abs(p.x) + p.y + abs(p.z);
+      const Uv square = turn(p.x / s, -p.z / s);
+      return Uv{(square.u + 1) / 2, (square.v + 1) / 2};
+    });
+  };
+  turned("on its corner still", [](D a, D b) { return Uv{a, b}; });
+  turned("too small", [](D a, D b) { return Uv{(a + b) * sqrt(0.5), (b - a) * sqrt(0.5)}; });
+  turned("counterclockwise", [](D a, D b) { return Uv{a - b, a + b}; });
+  turned("mirrored", [](D a, D b) { return Uv{b - a, b + a}; });
 
   const auto back = [](const char* text, auto direction) {  // of the right angle and height
     direction_of(text, [=](Uv uv) { return direction((0.5 - uv.u) * 2 * pi, 2 * uv.v - 1); });

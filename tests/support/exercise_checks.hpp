@@ -46,7 +46,7 @@ struct Strangers {
     const check::Exercise& exercise = check::exercises_of_chapter().exercises.at(k - 1);
     const check::Verdict verdict = exercise.verdict(answer);
     CHECK_MESSAGE(verdict.right, verdict.law << ": " << verdict.got);
-    CHECK(measure(exercise.draw(answer), exercise.draw({})).share_different <= 0.0002);
+    CHECK(check::same_picture(exercise.draw(answer), exercise.draw({})));
   }
 };
 
@@ -67,12 +67,23 @@ TEST_CASE("an exercise fails as shipped and its solution passes, by values and b
     const check::Verdict started = exercise.verdict(check::starts.at(i));
     CHECK_FALSE(started.right);
     CHECK_FALSE(started.mistake.empty());
-    CHECK(measure(exercise.draw(check::starts.at(i)), right).share_different > 0.0002);
+    CHECK_FALSE(check::same_picture(exercise.draw(check::starts.at(i)), right));
     const check::Verdict solved = exercise.verdict(solutions[i]);
     CHECK_MESSAGE(solved.right, solved.law << ": " << solved.got);
     CHECK(solved.places >= 3);
-    CHECK(measure(exercise.draw(solutions[i]), right).share_different <= 0.0002);
+    CHECK(check::same_picture(exercise.draw(solutions[i]), right));
     CHECK(exercise.verdict(check::Replayed{solved.values}).right);
+  }
+}
+
+TEST_CASE("rounding as in float is no mistake, neither by values nor by picture") {
+  for (const check::Exercise& exercise : check::exercises_of_chapter().exercises) {
+    const Image right = exercise.draw({});
+    for (const double by : {5e-7, -5e-7}) {
+      INFO(exercise.id, " off by ", by);
+      CHECK(exercise.verdict(exercise.nudged(by)).right);
+      CHECK(check::same_picture(exercise.draw(exercise.nudged(by)), right));
+    }
   }
 }
 

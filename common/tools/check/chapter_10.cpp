@@ -3,34 +3,49 @@
 #include "10_projections/sheet.hpp"
 #include "engine/run/projection_options.hpp"
 #include "exercises.hpp"
-#include "map_mistakes.hpp"
 #include "texture/projection_facts.hpp"
 
 namespace texmap::chapter_10 {
 
-static std::function<Uv<double>(Vec3d)> on_cylinder, on_octahedron;
+static std::function<Uv<double>(Vec3d)> on_round_map, on_half_octahedron;
 static std::function<Vec3d(Uv<double>)> direction_of;
 
 struct ProjectionMapping {
   Projection projection = Projection::equirect;
 
   Uv<double> operator()(const Vec3d& p) const {
-    if (on_cylinder) return on_cylinder(p);
-    if (on_octahedron) return on_octahedron(p);
+    if (on_round_map) return on_round_map(p);
+    if (on_half_octahedron) return on_half_octahedron({p.x, std::abs(p.y), p.z});
     return project(projection, p);
   }
 };
 
+/// The direction at a place of the layout that an exercise is about.
+inline Vec3d direction_at(Projection layout, Uv<double> uv) {
+  if (direction_of) return direction_of(uv);
+  if (!on_round_map && !on_half_octahedron) return unproject(layout, uv);
+  const double right = 2 * uv.u - 1, up = 2 * uv.v - 1;
+  const double square = right * right + up * up;
+  if (on_round_map) {  // 2 at the rim
+    const double out = 2 * std::sqrt(max(1 - square, 0.0));
+    return {right * out, 1 - 2 * square, -up * out};
+  }
+  const double a = (right - up) / 2, b = (right + up) / 2;
+  return {a, 1 - std::abs(a) - std::abs(b), -b};
+}
+
 struct ProjectionOptions : texmap::ProjectionOptions {
   /// The file in the globe's layout; smaller, which is enough for the picture of an exercise.
   [[nodiscard]] ImageTexture load(TextureFile& file) const {
+    constexpr double middle = 0.5 + 1.0 / 512;  // 600 of these are on no edge of 2048 texels
     const ImageTexture earth{file.load()};
-    ImageTexture made{Image(600, static_cast<int>(600 / facts_of(on_globe()).aspect))};
+    const bool square = on_round_map || on_half_octahedron;
+    ImageTexture made{
+        Image(600, square ? 600 : static_cast<int>(600 / facts_of(on_globe()).aspect))};
     for (int i = 0; i < 600 * made.image.height; ++i) {
       const int column = i % 600, row = i / 600;
-      const Uv<double> uv{(column + 0.5) / 600, 1 - (row + 0.5) / made.image.height};
-      const Rgb color =
-          earth(uv_rtiow(direction_of ? direction_of(uv) : unproject(on_globe(), uv)));
+      const Uv<double> uv{(column + middle) / 600, 1 - (row + middle) / made.image.height};
+      const Rgb color = earth(uv_rtiow(direction_at(on_globe(), uv)));
       made.image.at(column, row) = {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
     }
     return made;
@@ -55,102 +70,96 @@ std::function<Image()> globe(const char* layout) {
   return picture<Lesson>({"--projection", layout}, 18);
 }
 
-Slips<Place2> wrong_cylinders(Vec3d p) {
-  const double y = p.y, out = std::hypot(p.x, p.z);
-  const auto [u, v] = uv_cylinder(p);
-  const Slips<double> wrong_v = {
-      {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a height",
-       {asin(y) / pi + 0.5, acos(y) / pi}},
-      {"v runs the other way: your map is upside down", (1 - y) / 2},
-      {"p moves away from the axis, not from the center", {(1 + y / out) / 2, y / out}},
-      {"v is (1 + y) / 2",
-       {{"y runs from -1 to 1, and the lower half is missing", {y, abs(y), max(y, 0.)}},
-        {"/ comes before +", 1 + y / 2},
-        {"the half is missing (1 / 2 with int is 0)", y / 2},
-        {"this goes back, from v to y", 2 * y - 1},
-        {"yours does not run from 0 to 1", {1 + y, 0.5 + y, (y - 1) / 2}}}},
-  };
-  Slips<double> wrong_u = {"u runs the other way: your map is mirrored", 1 - u};
-  for (const double z : {p.z, -p.z})
-    wrong_u += wrong_us(p.x, y, z, {from_half, from_0}, wrong_halves);
-  Slips<Place2> wrong = changed(wrong_v, [u = u](double it) { return Place2{u, it}; });
-  return wrong += changed(wrong_u, [v = v](double it) { return Place2{it, v}; });
+Place2 right_round(Vec3d p) {
+  const double from_axis = std::hypot(p.x, p.z);
+  const double radius = from_axis > 0 ? sqrt((1 - p.y) / 8) / from_axis : 0;
+  return {0.5 + radius * p.x, 0.5 - radius * p.z};
 }
 
-constexpr Place<Vec3d> on_cylinder_places[] = {
-    {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-    {"on +z, u is 1/4", {{0, 0, 1}}},
-    {"on -z, u is 3/4", {{0, 0, -1}}},
-    {"halfway between +x and +z, u is 3/8", {{half_root, 0, half_root}}},
-    {"at the height 0.6, (0.8, 0.6, 0), v is 0.8", {{0.8, 0.6, 0}}},
-    {"at the height -0.6 v is 0.2", {{0.8, -0.6, 0}}},
-    {"at the north pole v is 1", {{0, 1, 0}}},
+Slips<Place2> wrong_rounds(Vec3d p) {
+  const double y = p.y, from_axis = std::hypot(p.x, p.z), right = sqrt((1 - y) / 2);
+  const double x = from_axis > 0 ? p.x / from_axis : 0, up = from_axis > 0 ? -p.z / from_axis : 0;
+  const auto at = [=](double radius) {
+    return Place2{0.5 + radius / 2 * x, 0.5 + radius / 2 * up};
+  };
+  const Slips<double> radii = {
+      {"equal steps of the angle: areas near the rim are too large. Take equal areas",
+       {acos(y) / pi, 0.5 - asin(y) / pi}},
+      {"an area is the square of a radius: the root is missing", {(1 - y) / 2, 1 - y}},
+      {"seen from above the south is below the north: this is the plane of the page", from_axis},
+      {"the cap's share of the sphere is 2 pi (1 - y) / 4 pi, (1 - y) / 2",
+       {sqrt(1 - y), sqrt(1 - abs(y)), sqrt((1 - y) / 4)}},
+      {"the rim has the radius 1/2: your map is larger than the square", {2 * right}},
+      {"your map is smaller than the square: at the south pole the radius is 1/2", right / 2},
+      {"the south pole is in the middle of your map", sqrt((1 + y) / 2)},
+  };
+  const double r = right / 2;
+  return {
+      {"at the pole itself 0 / 0 is no number: return the middle there",
+       from_axis > 0 ? at(right) : Place2{0. / from_axis, 0. / from_axis}},
+      changed(radii, at),
+      {"(x, -z) is shorter than 1: divide it by its length",
+       {{0.5 + r * p.x, 0.5 - r * p.z},
+        {0.5 + right * p.x, 0.5 - right * p.z},
+        {0.5 + r * x / max(from_axis, 1e-300), 0.5 + r * up / max(from_axis, 1e-300)}}},
+      {"-z is up on the map: yours has +z there", {0.5 + r * x, 0.5 - r * up}},
+      {"+x is to the right: your map is mirrored", {0.5 - r * x, 0.5 + r * up}},
+      {"the middle of the map is at (1/2, 1/2): add 0.5",
+       {{r * x, r * up}, {right * x, right * up}}},
+      {"from above you see x and z: y is the height", {0.5 + r * x, 0.5 + r * y}},
+  };
+}
+
+constexpr Place<Vec3d> on_round_map_places[] = {
+    {"on +x, a quarter of a turn from the pole: half of the area lies inside", {{1, 0, 0}}},
+    {"on -z it is straight up from the middle", {{0, 0, -1}}},
+    {"at the north pole it is the middle, (1/2, 1/2)", {{0, 1, 0}}},
+    {"at the height 1/2, to the left: a quarter of the area lies inside",
+     {{-half_root * std::numbers::sqrt3 / std::numbers::sqrt2, 0.5, 0}}},
+    {"at (0, -0.28, 0.96): 0.64 of the area lies inside", {{0, -0.28, 0.96}}},
+    {"in the direction (2, -2, -1) / 3", {{2. / 3, -2. / 3, -1. / 3}}},
     {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
 };
 
-Place2 in_square(const Place2& at) { return {(1 + at.u) / 2, (1 + at.v) / 2}; }
-/// (a, b) with its fold, as for the lower half.
-Place2 folded_out(const Place2& at) {
-  return {copysign(1 - abs(at.v), at.u), copysign(1 - abs(at.u), at.v)};
+Place2 right_half(Vec3d p) {
+  const double s = abs(p.x) + abs(p.y) + abs(p.z);
+  return {(1 + (p.x - p.z) / s) / 2, (1 - (p.x + p.z) / s) / 2};
 }
 
-Slips<Place2> wrong_octahedra(Vec3d p) {
-  const double x = p.x, y = p.y, z = p.z;
-  const double s = abs(x) + abs(y) + abs(z);
-  const Place2 from_above{x / s, -z / s};
-  const auto [a, b] = from_above;
-  const double a_left = 1 - abs(a), b_left = 1 - abs(b);
-  const Place2 right = folded_out(from_above);
-  const Slips<Place2> folds = {
-      {"nothing is folded: the southern half lies on the northern one", from_above},
-      {"a and b become sign(a) (1 - |b|) and sign(b) (1 - |a|)",
-       {{"the signs are missing", {b_left, a_left}},
-        {"the signs are exchanged", {copysign(b_left, b), copysign(a_left, a)}},
-        {"the signs are turned around", {-right.u, -right.v}},
-        {"|a| and |b| are exchanged", {copysign(a_left, a), copysign(b_left, b)}},
-        {"the bars are missing", {(1 - b) * (a < 0 ? -1 : 1), (1 - a) * (b < 0 ? -1 : 1)}},
-        {"the bars and the signs are missing", {{1 - b, 1 - a}, {1 - a, 1 - b}}},
-        {"exchanging a and b mirrors at the diagonal alone", {b, a}},
-        {"the size of a counts twice, as a sign is 1 or -1", {a * b_left, b * a_left}},
-        {"1 + |b| leaves the square", {copysign(1 + abs(b), a), copysign(1 + abs(a), b)}},
-        {"std::copysign takes the size first", {abs(a), abs(b)}}}},
-      {"b is not folded: its new value needs the old a, so keep that in a variable",
-       {right.u, copysign(1 - abs(right.u), b)}},
-      {"a is not folded: its new value needs the old b, so keep that in a variable", {a, right.v}},
-  };
-  /// From (x, -z) divided by this, or from another (a, b): folded where `sign` is below 0.
-  const auto folded = [](const Place2& at, double sign) {
-    return in_square(sign < 0 ? folded_out(at) : at);
-  };
-  const auto by = [&](double sum) { return folded({x / sum, -z / sum}, y); };
-  const auto [u, v] = uv_octahedral(p);
+Slips<Place2> wrong_half_octahedra(Vec3d p) {
+  const double x = p.x, y = p.y, z = p.z, s = abs(x) + abs(y) + abs(z);
+  const double a = x / s, b = -z / s, right = a + b, up = b - a;
+  const auto at = [](double u, double v) { return Place2{(1 + u) / 2, (1 + v) / 2}; };
+  const auto by = [&](double sum) { return at((x - z) / sum, (-x - z) / sum); };
   return {
-      changed(folds, [&](const Place2& fold) { return in_square(y < 0 ? fold : from_above); }),
-      {"b is -z / s, not z / s: north and south are exchanged", uv_octahedral(Vec3d{x, y, -z})},
-      {"a is x / s, not -x / s: west and east are exchanged", uv_octahedral(Vec3d{-x, y, z})},
-      {"you fold elsewhere, too: only the lower half, y < 0, is folded out",
-       {folded(from_above, -y), folded(from_above, -1), folded(from_above, z)}},
-      {"divide by |x| + |y| + |z|",
-       {{"the point must be brought to the octahedron",
-         {by(1), by(length(p)), by(max({abs(x), abs(y), abs(z)}))}},
-        {"the bars or y are missing in the sum", {by(x + y + z), by(abs(x) + abs(z))}}}},
-      {"from above the place is (x, -z): you take y, as from the front", folded({a, y / s}, y)},
-      {"a and b run from -1 to 1, u and v from 0 to 1: return (1 + a) / 2 and (1 + b) / 2",
-       {{2 * u - 1, 2 * v - 1}, {u - 0.5, v - 0.5}, {2 * u, 2 * v}, {u + 0.5, v + 0.5}}},
+      {"the square stands on its corner still: turn it, by an eighth of a turn", at(a, b)},
+      {"a turn alone leaves the square too small: its corners are 1 from the middle, and the "
+       "picture's are the root of 2",
+       {at(right * half_root, up * half_root), at(right / 2, up / 2)}},
+      {"it is too large: 1 to the right, before the turn, is 1 right and 1 down after it",
+       at(right * 2 * half_root, up * 2 * half_root)},
+      {"you turn it counterclockwise: +x has to go to the lower right corner", at(-up, right)},
+      {"-z is up in the picture: b is -z / s", at(a - b, -b - a)},
+      {"your sky is mirrored: +x goes to the lower right corner, -z to the upper right one",
+       {at(up, right), at(right, -up), at(-right, up)}},
+      {"divide by |x| + |y| + |z|, which brings the direction to the octahedron",
+       {by(1), by(length(p)), by(x + y + z), by(abs(x) + abs(z)), by(max({abs(x), y, abs(z)}))}},
+      {"u and v run from 0 to 1: return (1 + ...) / 2",
+       {{right, up}, {right / 2, up / 2}, {1 + right, 1 + up}}},
+      {"the upper half has no fold: that is for y below 0",
+       {at(copysign(1 - abs(b), a), copysign(1 - abs(a), b))}},
   };
 }
 
-constexpr Place<Vec3d> on_octahedron_places[] = {
-    {"the north pole +y is in the middle, (1/2, 1/2)", {{0, 1, 0}}},
-    {"+x is in the middle of the right edge, (1, 1/2)", {{1, 0, 0}}},
-    {"+z is in the middle of the lower edge, (1/2, 0)", {{0, 0, 1}}},
-    {"halfway between +x and +y, at (1, 1, 0), u is 3/4", {{1, 1, 0}}},
-    {"(1, 2, 1): |x| + |y| + |z| is 4, so u is 5/8 and v is 3/8", {{1, 2, 1}}},
-    {"(-3, 4, -5), still on the upper half", {{-3, 4, -5}}},
-    {"(4, -2, 2) is on the lower half: a = 1/2 and b = -1/4 become 3/4 and -1/2", {{4, -2, 2}}},
-    {"(-4, -2, 2) is mirrored to the left: a becomes -3/4", {{-4, -2, 2}}},
-    {"(1, -2, -5), on the lower half behind", {{1, -2, -5}}},
-    {"(-1, -8, 3), close to the south pole: close to a corner", {{-1, -8, 3}}},
+constexpr Place<Vec3d> on_half_octahedron_places[] = {
+    {"the zenith, +y, is in the middle, (1/2, 1/2)", {{0, 1, 0}}},
+    {"+x is in the lower right corner, (1, 0)", {{1, 0, 0}}},
+    {"-z is in the upper right corner, (1, 1)", {{0, 0, -1}}},
+    {"between them, at (1, 0, -1), it is the middle of the right side", {{1, 0, -1}}},
+    {"(1, 1, 0) is halfway from the middle to the lower right corner", {{1, 1, 0}}},
+    {"(-1, 2, 1): |x| + |y| + |z| is 4", {{-1, 2, 1}}},
+    {"(3, 4, 1)", {{3, 4, 1}}},
+    {"(-2, 5, -13), close to the horizon", {{-2, 5, -13}}},
 };
 
 Slips<Vec3d> wrong_directions(Place2 uv) {
@@ -216,10 +225,10 @@ constexpr Place<Place2> direction_of_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "10",
-      {exercise(on_cylinder, globe("cylinder"),
-                {uv_cylinder<double>, wrong_cylinders, on_cylinder_places}),
-       exercise(on_octahedron, globe("octahedral"),
-                {uv_octahedral<double>, wrong_octahedra, on_octahedron_places}),
+      {exercise(on_round_map, globe("octahedral"),
+                {right_round, wrong_rounds, on_round_map_places}),
+       exercise(on_half_octahedron, globe("octahedral"),
+                {right_half, wrong_half_octahedra, on_half_octahedron_places}),
        exercise(direction_of, globe("cylinder"),
                 {right_direction, wrong_directions, direction_of_places})},
       {{"An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/compare/difference.hpp"
 #include "engine/draw/render.hpp"
 #include "engine/run/prepared.hpp"
 #include "judge.hpp"
@@ -45,8 +46,16 @@ struct Exercise {
   std::function<Verdict(const std::any& yours)> verdict;
   std::function<Image(const std::any& yours)> draw;  ///< an empty any: with the right function
   std::function<std::vector<KnownMistake>()> mistakes;
-  std::string id;  ///< "02.1"
+  std::function<std::any(double by)> nudged;  ///< the right function, all numbers off by this part
+  std::string id;                             ///< "02.1"
 };
+
+/// Whether the picture shows no mistake: rounding may move a byte by one level and a few pixels to
+/// the other side of an edge, as in the golden pictures.
+[[nodiscard]] inline bool same_picture(const Image& yours, const Image& right) {
+  const Figures found = measure(yours, right, {}, Detail::pixels);
+  return (found.pixels_different - found.pixels_by_levels[1]) * 400 <= found.pixels_compared;
+}
 
 /// A number that many give, and the word of what is wrong with it.
 struct WrongNumber {
@@ -120,6 +129,21 @@ template <class Out>
   return values;
 }
 
+/// The value with each of its numbers off by this part; what counts things is not.
+template <class Out>
+[[nodiscard]] Out nudged(const Out& value, double by) {
+  const auto off = [by](double number) {
+    return std::isfinite(number) ? number + by * max(1.0, abs(number)) : number;
+  };
+  if constexpr (std::is_integral_v<Out>) {
+    return value;
+  } else if constexpr (std::is_arithmetic_v<Out>) {
+    return static_cast<Out>(off(value));
+  } else {
+    return std::apply([&](auto... number) { return Out{off(number)...}; }, parts(value));
+  }
+}
+
 /// An exercise from its law and from the lesson that calls `hook` while it is drawn: the student's
 /// function, or the right one. Otherwise the hook is empty.
 template <class Out, class... Args>
@@ -144,6 +168,9 @@ template <class Out, class... Args>
     hook = nullptr;
     return image;
   };
+  made.nudged = [right = law.right](double by) {
+    return std::any(Function([=](Args... at) { return nudged<Out>(right(at...), by); }));
+  };
   made.mistakes = [law = std::move(law)] {
     std::vector<KnownMistake> known;
     for (const Slip<Out>& slip : slips_at_all_places(law).rows)
@@ -165,6 +192,22 @@ template <class Lesson>
 [[nodiscard]] std::function<Image()> picture(std::vector<std::string> words = {},
                                              double fov_y_degrees = 0) {
   return [=] { return picture_of(prepared<Lesson>(words), fov_y_degrees); };
+}
+
+/// Twelve gray panels of 100 x 100 pixels: light(panel, x, y) of each, x to the right, y upward.
+template <class Light>
+[[nodiscard]] Image panels(const Light& light) {
+  Image image(400, 300);
+  for (int row = 0; row < 300; ++row) {
+    for (int column = 0; column < 400; ++column) {
+      const int panel = row / 100 * 4 + column / 100;
+      const double x = (column % 100 + 0.5) / 100, y = 1 - (row % 100 + 0.5) / 100;
+      const bool is_edge = min(x, y) < 0.02;
+      const std::uint8_t byte = byte_of(is_edge ? 0 : light(panel, x, y));
+      image.at(column, row) = {byte, byte, byte};
+    }
+  }
+  return image;
 }
 
 }  // namespace texmap::check

@@ -39,6 +39,9 @@ template <std::size_t N>
   const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
   return whole ? text("%.0f", value) : text("%.*g", digits, value);
 }
+[[nodiscard]] inline std::string in_words(float value, int digits) {
+  return in_words(double(value), digits);
+}
 [[nodiscard]] inline std::string in_words(int value, int /*digits*/) {
   return std::to_string(value);
 }
@@ -200,6 +203,7 @@ template <class Out>
   if constexpr (std::is_same_v<Out, Uv<double>>) return std::array{"u", "v"}[part];
   if constexpr (std::is_same_v<Out, Vec3<double>>) return std::array{"x", "y", "z"}[part];
   if constexpr (std::is_same_v<Out, Rgb>) return std::array{"red", "green", "blue"}[part];
+  if constexpr (requires { Out::names; }) return Out::names[part];
   return std::array{"[0]", "[1]", "[2]"}[part];
 }
 

@@ -45,15 +45,15 @@ struct Request {
 struct Findings {
   Verdict verdict;
   std::size_t different, pixels;
+  bool picture_right;
 
   Findings(Verdict of_values, const Image& yours, const Image& right)
       : verdict(std::move(of_values)),
         different(measure(yours, right).pixels_different),
-        pixels(right.pixels.size()) {}
+        pixels(right.pixels.size()),
+        picture_right(same_picture(yours, right)) {}
 
-  /// A rounding may move single pixels, as in the golden pictures.
-  [[nodiscard]] bool picture_right() const { return different * 5000 <= pixels; }
-  [[nodiscard]] bool right() const { return verdict.right && picture_right(); }
+  [[nodiscard]] bool right() const { return verdict.right && picture_right; }
 
   [[nodiscard]] std::string wrong_values() const {
     return text("%zu of %zu values %s wrong", verdict.wrong, verdict.places,
@@ -81,7 +81,7 @@ struct Findings {
       }
       if (!verdict.fact.empty()) words += "  Yours: " + verdict.fact + ".\n";
     }
-    if (picture_right() && !right()) {
+    if (picture_right && !right()) {
       words += "  The exercise's picture does not show this mistake.\n";
     } else {
       words += "  In the exercise's picture " + different_pixels() + " differ" +
