@@ -40,12 +40,18 @@ TEST_CASE("07: strangers' answers get their words") {
     return above(std::sin(std::acos(z)), w, z);
   });
 
-  const auto by_cell = [](const char* text, auto of) {  // the same line for u and for v
-    place_of_sample(text, [=](int i, int n, D a, D b) {
-      return Uv{of(i % n, n, a), of(i / n, n, b)};
+  const auto by_radius = [](const char* text, auto radius) {  // of the sample's share of the lens
+    place_on_lens(text, [=](int i, int n, D a, D b, D inner) {
+      const D r = radius((i + a) / n, inner);
+      return Uv{r * cos(2 * pi * b), r * sin(2 * pi * b)};
     });
   };
-  by_cell("at its corner", [](int k, int n, D c) { return 1. * k / n; });
-  by_cell("then divide", [](int k, int n, D c) { return 1. * (k / n); });
-  by_cell("leave their cells", [](int k, int n, D c) { return 1. * k / n + c; });
+  by_radius("steps of the area", [](D s, D inner) { return inner + (1 - inner) * s; });
+  by_radius("area, inner * inner, comes first", [](D s, D) { return sqrt(s); });
+  by_radius("in units of pi", [](D s, D in) { return sqrt(in * in + s * pow(1 - in, 2)); });
+  by_radius("the root is missing", [](D s, D in) { return s + in * in * (1 - s); });
+  place_on_lens("i has no effect", [](int i, int n, D a, D b, D inner) {
+    const D r = sqrt(inner * inner + (i / n + a) * (1 - inner * inner));
+    return Uv{r * cos(2 * pi * b), r * sin(2 * pi * b)};
+  });
 }

@@ -1,6 +1,7 @@
 // The exercises of chapter 07. The lesson is the chapter's own. What it gets and calls leads to the
-// student's function: the numbers of a sample, light_along, and the mean of the samples.
+// student's function: a sample's place on the lens, light_along, and the mean of the samples.
 #include <numeric>
+#include <optional>
 
 #include "engine/draw/develop.hpp"
 #include "engine/run/layout_options.hpp"
@@ -14,7 +15,7 @@ namespace texmap::chapter_07 {
 
 static std::function<int(const std::vector<int>&)> mean_byte;
 static std::function<Vec3d(double, double, double)> through_window;
-static std::function<Uv<double>(int, int, double, double)> place_of_sample;
+static std::function<Uv<double>(int, int, double, double, double)> place_on_lens;
 
 /// The light along a ray, from a window above: one direction to it, chosen by the student.
 inline constexpr struct {
@@ -25,8 +26,8 @@ inline constexpr struct {
     if (nearest.index < 0) return sky(ray);
     const auto& object = objects[std::size_t(nearest.index)];
     const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
-    const auto [a, b] = random.next_2d();
-    const Vec3d way = through_window(a, b, 0.8);
+    const Point2<double> at = random.next_2d();
+    const Vec3d way = through_window(at.u, at.v, 0.8);
     const Ray<double> up{hit.outside, {way.x, way.z, -way.y}};
     const bool open = find_nearest(objects, up).index < 0;
     return object.paint(hit) * (open ? max(dot(hit.normal, up.direction), 0.) : 0);
@@ -44,21 +45,30 @@ using namespace chapter_07;
 
 using Bytes = std::vector<int>;
 
-constexpr int cells = 4;  // columns and rows of a pixel's samples
+constexpr int samples_of_pixel = 16;
+constexpr double radius_of_hole = 0.6;  // in the lens
 
-/// The numbers of one sample; the student says the first two, its place in the pixel.
+/// Two numbers of a sample, and its place on the lens if the student says it.
+struct Sample2 : Point2<double> {
+  std::optional<Place2> on_lens;
+};
+OnDisk<double> uniform_disk(const Sample2& sample) {
+  if (!sample.on_lens) return texmap::uniform_disk<double>(sample);
+  return {.x = sample.on_lens->u, .y = sample.on_lens->v, .radius = 1, .height = 0};
+}
+
+/// The numbers of one sample.
 struct Numbers {
   const Sampler& sampler;
   std::uint32_t pixel;
   int sample;
   std::uint32_t dimension = 0;
 
-  Point2<double> next_2d() {
+  Sample2 next_2d() {
     const auto random =
         sampler.pair<double>(pixel, static_cast<std::uint32_t>(sample), dimension++);
-    if (dimension > 1 || !place_of_sample) return random;
-    const Place2 place = place_of_sample(sample, cells, random.u, random.v);
-    return {place.u, place.v};
+    if (dimension != 2 || !place_on_lens) return {random, {}};
+    return {random, place_on_lens(sample, samples_of_pixel, random.u, random.v, radius_of_hole)};
   }
 };
 
@@ -85,12 +95,12 @@ Image magnified(const Lesson& lesson) {
     const std::vector<chapter_07::Object>& objects;
     const GradientSky& sky;
   } scene{view_of(lesson.stage.camera, 100, 75), lesson.objects, lesson.stage.sky};
-  const Sampler sampler(SamplerKind::random, cells * cells);
+  const Sampler sampler(SamplerKind::random, samples_of_pixel);
   Image image(400, 300);
   for (std::uint32_t i = 0; i < 100 * 75; ++i) {
     const std::uint32_t column = i % 100, row = i / 100;
     std::vector<Rgb> samples;
-    for (int sample = 0; sample < cells * cells; ++sample) {
+    for (int sample = 0; sample < samples_of_pixel; ++sample) {
       Numbers random{sampler, hash_pixels<double>(column, row), sample};
       samples.push_back(lesson(scene, PixelPlace<double>{double(column), double(row)}, random));
     }
@@ -231,58 +241,57 @@ constexpr Place<double, double, double> through_window_places[] = {
     {"edge 0.9 is a small window: a = 0.8 has the height 0.92", {0.8, 0.125, 0.9}},
 };
 
-Place2 right_place(int i, int n, double a, double b) {
-  const int row = i / n;
-  return {(i % n + a) / n, (row + b) / n};
+Place2 right_place(int i, int n, double a, double b, double inner) {
+  const double radius = std::lerp(inner * inner, 1, (i + a) / n);
+  return {sqrt(radius) * cos(2 * pi * b), sqrt(radius) * sin(2 * pi * b)};
 }
 
-Slips<Place2> wrong_places(int i, int n, double a, double b) {
-  const double c = i % n, r = floor(double(i) / n);  // column and row
-  const auto [u, v] = right_place(i, n, a, b);
-  const auto at = [=](double column, double row) {
-    return Place2{(column + a) / n, (row + b) / n};
+Slips<Place2> wrong_places(int i, int n, double a, double b, double inner) {
+  const double turn = 2 * pi * b, hole = inner * inner, share = (i + a) / n;
+  const auto radius_at = [=](double part) { return sqrt(hole + part * (1 - hole)); };
+  const auto at = [](double radius, double angle) {
+    return Place2{radius * cos(angle), radius * sin(angle)};
+  };
+  const Slips<double> radii = {
+      {"equal steps of the radius: the inner rings get too many samples. Take steps of the area",
+       inner + share * (1 - inner)},
+      {"the root of the share is right for a disk: here the hole's area, inner * inner, comes "
+       "first",
+       {sqrt(share), inner + sqrt(share) * (1 - inner), sqrt(hole + share), inner + sqrt(share)}},
+      {"the ring's area is 1 - inner * inner, in units of pi",
+       {sqrt(hole + share * (1 - inner) * (1 - inner)), sqrt(hole + share * (1 - inner)),
+        sqrt(inner + share * (1 - inner))}},
+      {"an area is the square of the radius: the root is missing", hole + share * (1 - hole)},
+      {"all samples of a ring are on its inner edge: add a to i", radius_at(i * 1. / n)},
+      {"these are random samples, without rings: i has no effect (as int, i / n is 0)",
+       {radius_at(a), radius_at(a / n), inner + a * (1 - inner), sqrt(a)}},
+      {"the share is (i + a) / n",
+       {radius_at(i + a), radius_at(i + a / n), radius_at(i * 1. / n + a), radius_at(i * a / n),
+        radius_at((i + a) / (n - 1)), radius_at((i + a) / (n + 1)), radius_at((i + 1 + a) / n),
+        radius_at((i - 1 + a) / n)}},
+      {"sample 0 is in the innermost ring, and a = 0 is farthest in", {radius_at(1 - share)}},
+  };
+  const Slips<double> angles = {
+      {"b is a share of a turn, and std::cos takes radians: the angle is 2 pi b",
+       {b, 360 * b, pi * b, pi / 2 * b}},
+      {"the angle runs the other way: count it from x toward y", -turn},
   };
   return {
-      {"all samples of a cell are at its corner: add a and b", {c / n, r / n}},
-      {"all samples are in the middle of their cells, which makes stripes: add a and b",
-       {(c + 0.5) / n, (r + 0.5) / n}},
-      {"these are random samples, without cells: i has no effect (as int, c / n is 0)", {a, b}},
-      {"column / n and row / n as int are 0: add, then divide", {{a / n, b / n}, {0, 0}}},
-      {"columns and rows are exchanged: sample 1 is the right neighbor of sample 0", at(r, c)},
-      {"a is across, b is up",
-       {{"a and b are exchanged", {(c + b) / n, (r + a) / n}},
-        {"a moves the sample across and up", {u, (r + a) / n}}}},
-      {"u is (column + a) / n, and v is (row + b) / n",
-       {{"you divide by n x n", {u / n, v / n}},
-        {"n cells are as wide as the pixel, not n - 1 or n + 1",
-         {{(c + a) / (n - 1), (r + b) / (n - 1)}, {(c + a) / (n + 1), (r + b) / (n + 1)}}},
-        {"the pixel goes from 0 to 1, and yours is in cells", {c + a, r + b}},
-        {"the division comes before the sum", {c + a / n, r + b / n}},
-        {"a and b are factors here", {c * a / n, r * b / n}},
-        {"a and b are not divided by n, and the samples leave their cells", {c / n + a, r / n + b}},
-        {"a and b count from the cell's corner", {at(c - 0.5, r - 0.5), at(c + 0.5, r + 0.5)}},
-        {"one of them is random", {{u, b}, {a, v}}}}},
-      {"the rows are upside down: v begins at 0 with row 0", {at(c, n - 1 - r), {u, 1 - v}}},
-      {"the column is i % n, and the row is i / n as int",
-       {{"samples are counted from 0, without 1", {right_place(i + 1, n, a, b), at(c - 1, r)}},
-        {"you take one of them for both", {at(c, c), at(r, r)}},
-        {"the row is no whole number", at(c, double(i) / n)},
-        {"i counts samples, and is no column or row",
-         {at(i, r),
-          at(c, i),
-          {(i + a) / n / n, (i + b) / n / n},
-          {(i + a) / n / n, b},
-          {a, (i + b) / n / n}}}}},
+      {"a and b are exchanged: a says how far out, b on which side",
+       right_place(i, n, b, a, inner)},
+      changed(radii, [=](double radius) { return at(radius, turn); }),
+      changed(angles, [=](double angle) { return at(radius_at(share), angle); }),
   };
 }
 
-constexpr Place<int, int, double, double> place_of_sample_places[] = {
-    {"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
-    {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
-    {"sample 3 is at the end of the first row", {3, 4, 0.5, 0.5}},
-    {"sample 4 begins the second row", {4, 4, 0.5, 0.5}},
-    {"sample 7 of 4 x 4, with a = 0.2 and b = 0.7", {7, 4, 0.2, 0.7}},
-    {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}},
+constexpr Place<int, int, double, double, double> place_on_lens_places[] = {
+    {"of 1 ring without a hole, a = 1/4 is half of the way out", {0, 1, 0.25, 0, 0}},
+    {"sample 0 with a = 0 is at the edge of the hole", {0, 4, 0, 0, 0.5}},
+    {"b = 1/4 is a quarter turn: up, toward +y", {0, 1, 0.5, 0.25, 0.28}},
+    {"one ring from 0.6 to 1, a = 1/4: radius * radius = 0.36 + 0.64 / 4", {0, 1, 0.25, 0, 0.6}},
+    {"sample 3 of 4 is in the last ring", {3, 4, 0.5, 0.125, 0.6}},
+    {"sample 1 of 2, with a = 0.7 and b = 0.8", {1, 2, 0.7, 0.8, 0.5}},
+    {"sample 5 of 16, with a = 0.3 and b = 0.6", {5, 16, 0.3, 0.6, 0.8}},
 };
 
 }  // namespace
@@ -315,8 +324,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
                   return magnified(lesson);
                 },
                 {right_direction, wrong_directions, through_window_places}),
-       exercise(place_of_sample, [] { return magnified(lone_globe()); },
-                {right_place, wrong_places, place_of_sample_places})},
+       exercise(place_on_lens,
+                [] {
+                  return magnified(lone_globe({"--defocus", "8", "--focus", "6"}));
+                },
+                {right_place, wrong_places, place_on_lens_places})},
       {{"Which byte does a pixel get that is a quarter white, the rest black?",
         [] { return double(byte_of_light(0.25, Transfer::srgb)); },
         {"", 0},
