@@ -1,18 +1,21 @@
-// Exercise 12.1: light from four bytes
+// Exercise 12.1: the sky in a mirror ball
 //
-// A texel of a .hdr file has a byte for red, green and blue, and a byte for their common exponent.
-// The light of a channel with the byte m and the exponent k is
-//     (m + 1/2) 2^(k - 136),   but 0 for m = 0
-// Return the light of the texel; k is at least 1. It can be far above 1: the sun.
+// A camera photographs a mirror ball from so far away that all of its rays run along -z. The ball's
+// outline touches the four sides of the picture. u is 0 at the left side and 1 at the right one,
+// v is 0 at the lower side and 1 at the upper one; +x is to the right and +y is up. Return the
+// direction of the sky that is seen at (u, v), of length 1. The place is inside the outline.
 #include "exercise.hpp"
 
-Color light_of_texel(int red, int green, int blue, int exponent) {
+Vec3 mirrored_sky(Uv uv) {
   // solution
-  const double step = std::exp2(exponent - 136);
-  const auto light = [&](int byte) { return byte == 0 ? 0 : (byte + 0.5) * step; };
-  return {light(red), light(green), light(blue)};
-  // start: // Your lines here. std::exp2(x) is 2 to the power x.
-  // start: return {red / 255.0, green / 255.0, blue / (exponent + 255.0)};
+  const double x = 2 * uv.u - 1;
+  const double y = 2 * uv.v - 1;
+  const Vec3 n{x, y, std::sqrt(1 - x * x - y * y)};
+  const Vec3 e{0, 0, 1};  // back to the camera
+  return 2 * dot(n, e) * n - e;
+  // start: // Your lines here.
+  // start: return normalize(Vec3{uv.u, uv.v, 1});
 }
-// hint: The power of 2 is the same for all three channels: compute it once.
-// hint: (red + 0.5) * step, and 0 where red is 0; then the same for green and blue.
+// hint: Which point of the ball, with the radius 1, is seen at (u, v)? Its normal is that point.
+// hint: x and y are -1 to 1 in the picture, and x x + y y + z z = 1.
+// hint: Each ray comes along -z, so e, the direction back to the camera, is (0, 0, 1).

@@ -1,18 +1,27 @@
-// Exercise 12.2: how much of the sphere is a texel?
+// Exercise 12.2: how bright is the ground?
 //
-// An equirectangular sky has `width` texels in each of `height` rows. Row 0 is at the north pole.
-// Each row covers pi / height of the polar angle, and each texel of it 2 pi / width of the turn
-// around the axis. Return the solid angle of one texel of a row: 2 pi / width times the integral of
-// the sine from the row's upper edge a to its lower edge b, which is cos a - cos b.
+// A sky changes with the height above the horizon alone. So one column of its picture says it all:
+// rows[i] is the light of row i. Row 0 begins straight up, the last one ends straight down, and all
+// rows cover equal angles, as on the page. Return the light that flat, white ground sends back. Of
+// a row that the horizon divides, only the part above it counts. Do not take each row's middle for
+// all of it: the result is exact. Under a sky of light 1 everywhere it is 1.
 #include "exercise.hpp"
 
-double solid_angle(int row, int width, int height) {
+double light_of_ground(const std::vector<double>& rows) {
   // solution
-  const double a = pi * row / height;
-  const double b = pi * (row + 1) / height;
-  return 2 * pi / width * (std::cos(a) - std::cos(b));
-  // start: // Your lines here. All texels together must have 4 pi.
-  // start: return 4 * pi / width / height * (row < height ? 1 : 0);
+  const double step = pi / static_cast<double>(rows.size());
+  double light = 0;
+  double inside = 0;  // of the disk, up to the row
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double radius = std::sin(std::min(static_cast<double>(i + 1) * step, pi / 2));
+    light += rows[i] * (radius * radius - inside);
+    inside = radius * radius;
+  }
+  return light;
+  // start: // Your lines here. rows.size() is how many there are.
+  // start: return rows[0];
 }
-// hint: The upper edge of row 0 has the polar angle 0, the lower edge of the last row has pi.
-// hint: a = pi * row / height. The lower edge is the upper edge of the next row.
+// hint: Page 07 looks at directions from straight above. What is a row there?
+// hint: A ring of the disk of radius 1. Its share of the disk is what the row's light counts.
+// hint: A direction at the angle t from straight up has the distance sin t from the disk's middle.
+// hint: Or: the integral of cos t sin t, from a to b, is (sin b sin b - sin a sin a) / 2.

@@ -1,19 +1,18 @@
-// Exercise 12.3: draw one of many
+// Exercise 12.3: more directions to the sky
 //
-// sums[i] is the sum of the probabilities of things 0 to i; the last sum is 1, or a rounding below
-// it. r is a random number, at least 0 and less than 1. Return the thing that r draws: the first i
-// with r < sums[i]. If rounding left no such i, return the last one.
-// Example: probabilities 0.5, 0, 0.5 have the sums 0.5, 0.5, 1. Thing 1 is never drawn.
+// At each point of a matte surface a program draws m directions by the cosine and k directions by
+// the sky's light. It adds up the sky's light in all of them, each times a weight, and multiplies
+// the sum by the albedo. Return the weight of a direction, whichever way drew it. `cosine` is n . d
+// for this direction, and q is the density by which the sky's way draws it.
 #include "exercise.hpp"
 
-int drawn_thing(const std::vector<double>& sums, double r) {
+double weight_of(double cosine, double q, int m, int k) {
   // solution
-  const int last = static_cast<int>(sums.size()) - 1;
-  int i = 0;
-  while (i < last && r >= sums[i]) i = i + 1;
-  return i;
-  // start: // Your lines here. sums.size() is how many there are.
-  // start: return static_cast<int>(r * static_cast<double>(sums.size()));
+  if (cosine <= 0) return 0;
+  return cosine / (m * cosine + k * pi * q);
+  // start: // Your lines here.
+  // start: return 1.0 / (m + k);
 }
-// hint: Begin with i = 0, and go on while r is not below sums[i].
-// hint: Stop at the last thing, also if r is not below its sum.
+// hint: How many directions of both ways together are there in a small solid angle around d?
+// hint: The first way has the density cosine / pi. What is the sum for m = 1 and k = 1?
+// hint: Below the surface the cosine is below 0, and no light comes from there.

@@ -1,5 +1,5 @@
-// The exercises of chapter 12. The lesson's SkyOptions and SkyLight are here structs that call the
-// student's functions: when the sky is loaded, and when a direction is drawn.
+// The exercises of chapter 12. The lesson's light_under_sky is here light straight from the sky, by
+// several directions with the student's weights.
 #include <numeric>
 
 #include "engine/draw/develop.hpp"
@@ -7,90 +7,42 @@
 #include "engine/run/sampling_options.hpp"
 #include "engine/run/sky_options.hpp"
 #include "exercises.hpp"
-#include "math/srgb.hpp"
 #include "sampling/directions.hpp"
+#include "scene/sky_path.hpp"
+#include "texture/sky_light.hpp"
 #include "texture/sky_texels.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::chapter_12 {
 
-using Sums = std::vector<double>;
-static std::function<Rgb(int, int, int, int)> light_of_texel;
-static std::function<double(int, int, int)> solid_angle;
-static std::function<int(const Sums&, double)> drawn_thing;
+static std::function<Vec3d(Uv<double>)> mirrored_sky;
+static std::function<double(const std::vector<double>&)> light_of_ground;
+static std::function<double(double, double, int, int)> weight_of;
 
-/// A picture of the sky as the student reads its texels, each first written as in a .hdr file.
-inline LightImage read_by_student(LightImage map) {
-  for (Color<float>& texel : map.pixels) {
-    const auto brightest = static_cast<double>(std::max({texel.r, texel.g, texel.b}));
-    const int k = brightest > 0 ? std::ilogb(brightest) + 129 : 0;
-    const auto byte = [k](float light) {
-      return static_cast<int>(std::ldexp(double(light), 136 - k));
-    };
-    texel = number_cast<float>(light_of_texel(byte(texel.r), byte(texel.g), byte(texel.b), k));
-  }
-  return map;
-}
-
-/// The same picture, brighter where the student takes a texel for larger than it is: its sums over
-/// all directions are then the student's.
-inline LightImage weighted_by_student(LightImage map) {
-  for (int row = 0; row < map.height; ++row) {
-    const double weight =
-        solid_angle(row, map.width, map.height) / SkyBand(row, map.width, map.height).solid_angle;
-    for (int column = 0; column < map.width; ++column)
-      map.at(column, row) = map.at(column, row) * static_cast<float>(weight);
-  }
-  return map;
-}
-
-struct SkyLight : texmap::SkyLight {
-  Sums row_sums;                 ///< of the probabilities of all rows
-  std::vector<Sums> texel_sums;  ///< of those of a row's texels, if it is drawn
-
-  SkyLight() = default;
-  explicit SkyLight(texmap::SkyLight sky) : texmap::SkyLight(std::move(sky)) {
-    const Environment& loaded = picture;
-    if (light_of_texel) {
-      picture = Environment(read_by_student(loaded.map()), loaded.filter());
-      moments = SkyMoments(picture);
+inline constexpr struct {
+  Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& sky,
+                 const MatteLight& /*matte*/, int /*bounces*/, auto& random) const {
+    const Nearest<double> nearest = find_nearest(objects, ray);
+    if (nearest.index < 0) return sky(ray);
+    const auto& object = objects[std::size_t(nearest.index)];
+    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
+    if (object.paint.mirrors)
+      return sky(Ray<double>{hit.outside, mirror(-normalize(ray.direction), hit.normal)});
+    constexpr int by_cosine = 2, by_sky = 5;
+    Rgb light{};
+    for (int i = 0; i < by_cosine + by_sky; ++i) {
+      const Point2<double> drawn = random.next_2d();
+      const Vec3d to_sky =
+          i < by_cosine ? cosine_direction(hit.normal, drawn) : sky.draw(true, drawn).direction;
+      const double cosine = dot(hit.normal, to_sky);
+      const double weight =
+          weight_of(cosine, sky.density(true, sky.toward(to_sky)), by_cosine, by_sky);
+      const Ray<double> way{hit.outside, to_sky};
+      if (find_nearest(objects, way).index < 0) light = light + sky(way) * weight;
     }
-    if (solid_angle) moments = SkyMoments(Environment(weighted_by_student(loaded.map())));
-    const auto width = static_cast<std::ptrdiff_t>(picture.map().width);
-    const Sums drawn(above_mean.probabilities().begin(), above_mean.probabilities().end());
-    for (auto p = drawn.begin(); p != drawn.end(); p += width) {
-      Sums& sums = texel_sums.emplace_back(width);
-      std::partial_sum(p, p + width, sums.begin());
-      const double row = sums.back();
-      for (double& sum : sums) sum = row > 0 ? sum / row : 0;
-      row_sums.push_back(row_sums.empty() ? row : row_sums.back() + row);
-    }
+    return object.paint(hit) * light;
   }
-
-  SkyDirection<double> draw(bool /*mis*/, const Point2<double>& sample) const {
-    const int row = one_of(row_sums, sample.v);
-    const int column = one_of(texel_sums[static_cast<std::size_t>(row)], sample.u);
-    const Uv<double> uv = {(column + 0.5) / picture.map().width,
-                           1 - (row + 0.5) / picture.map().height};
-    return {picture.from_map(direction_rtiow(uv)), uv};
-  }
-  /// What the student draws; the first if there is no such thing.
-  static int one_of(const Sums& sums, double r) {
-    const int thing = drawn_thing(sums, r);
-    return thing >= 0 && thing < static_cast<int>(sums.size()) ? thing : 0;
-  }
-};
-
-struct SkyStage {
-  Camera camera{};
-  SkyLight sky{};
-};
-
-struct SkyOptions : texmap::SkyOptions {
-  [[nodiscard]] SkyLight load(const Chosen& user) {
-    return SkyLight(texmap::SkyOptions::load(user));
-  }
-};
+} light_under_sky;
 
 }  // namespace texmap::chapter_12
 
@@ -101,217 +53,173 @@ namespace {
 
 using namespace chapter_12;
 
-/// The sky's picture by as many samples a pixel.
-Image scene(const char* way, int samples) {
-  const auto lesson = prepared<Lesson>({"--light", way, "--filter", "nearest"});
+/// The scene by directions to the sky, without light from object to object.
+Image scene() {
+  const auto lesson = prepared<Lesson>();
   const View<> view = view_of(lesson.stage.camera, 400, 300);
   return develop(
-      gather<double>(lesson, lesson.objects, view, {Sampler(SamplerKind::sobol, samples)}, {}, {}),
+      gather<double>(lesson, lesson.objects, view, {Sampler(SamplerKind::sobol, 1)}, {}, {}),
       Transfer::srgb);
 }
-/// Without random directions, so that one sample is enough.
-Image without_noise() { return scene("coefficients", 1); }
 
-/// The light of a channel with the byte m and the exponent k.
-double light_of(int m, int k) { return m == 0 ? 0 : std::ldexp(m + 0.5, k - 136); }
-Rgb light_of_bytes(int red, int green, int blue, int k) {
-  return {light_of(red, k), light_of(green, k), light_of(blue, k)};
-}
-
-/// Powers of 2 as many write them.
-Slips<double> wrong_powers(int k) {
-  const double x = k - 136.0, p = exp2(x);
-  return {
-      {"the exponent is k - 136, because m has 8 bits: do not divide m by 255 or 256, too",
-       {p * 256, p * 2, p / 2, p / 255, p / 256, p * 256 / 255}},
-      {"the exponent has the wrong sign: it is k - 136, and a larger k is more light", 1 / p},
-      {"a power of 2 is std::exp2(k - 136)",
-       {{"2 ^ x is no power in C++ (it compares bits)", 1.0 * (2 ^ (k - 136))},
-        // What today's processors do: they take the lowest five bits.
-        {"1 << x shifts by no number below 0, and a dark texel has one",
-         1.0 * static_cast<int>(1U << (static_cast<unsigned>(k - 136) & 31U))},
-        {"std::exp is a power of e, and std::pow takes the base first", {exp(x), x * x}},
-        {"136 is subtracted before the power", exp2(k) - 136},
-        {"a power below 1 is 0 as an int", floor(p)},
-        {"the exponent is not used, as in a PNG file", {1. / 255, 1. / 256, 1}},
-        {"", {x, 2 * x, pow(10, x)}}}},
-  };
-}
-
-/// Channels as many compute them.
-Slips<double> wrong_channels(int m, int k) {
-  const double power = exp2(k - 136), right = light_of(m, k);
-  const auto by = [&](double number) {
-    return changed(wrong_powers(k), [=](double other) { return number * other; });
-  };
-  const Slips<double> lights = {
-      by(m + 0.5),
-      by(m),
-      {"* comes before +: write (m + 0.5) * the power", {m * power + 0.5, m + 0.5 * power}},
-      {"the base of the power is 2, not m + 1/2", pow(m + 0.5, k - 136)},
-      {"it is m + 1/2: the middle between m and m + 1", {(m - 0.5) * power, (m + 1) * power}},
-  };
-  return {
-      // Also where the byte is 0, and not.
-      changed(lights, [=](double light) { return m == 0 ? 0 : light; }),
-      lights,
-      {"the half is missing: the file's writer cuts m off, and m + 1/2 is the middle", m * power},
-      {"light is no whole number and may be far above 1, as the sun's is: do not limit it",
-       {min(right, 1.), min((m + 0.5) * power, 1.), min(m * power, 1.), floor(right)}},
-      {"the numbers of this file are light: leave srgb_decode and srgb_encode out",
-       {srgb_decode(m / 255.0), srgb_decode(right), srgb_encode(right)}},
-  };
-}
-
-Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
-  const double power = exp2(k - 136);
-  const auto color = [](double r, double g, double b) { return Rgb{r, g, b}; };
-  const Rgb right = light_of_bytes(red, green, blue, k);
-  const Rgb halves{(red + 0.5) * power, (green + 0.5) * power, (blue + 0.5) * power};
-  Slips<Rgb> wrong = {
-      combined(color, wrong_channels(red, k), wrong_channels(green, k), wrong_channels(blue, k)),
-      {"all channels come from red: the texel is gray", gray(right.r)},
-      {"each channel has its own byte: one that is 0 leaves the others as they are",
-       {red * green * blue == 0 ? Rgb{} : right, red == 0 ? Rgb{} : right,
-        red == 0 ? Rgb{} : halves}},
-  };
-  for (int guarded = 0; guarded < 7; ++guarded) {  // a bit for each channel where 0 is no light
-    wrong += {"a byte 0 has no light: here the half must not be added",
-              Rgb{(guarded & 1) != 0 ? right.r : halves.r, (guarded & 2) != 0 ? right.g : halves.g,
-                  (guarded & 4) != 0 ? right.b : halves.b}};
+/// The photograph of a ball that mirrors the chapter's sky.
+Image photograph() {
+  const auto lesson = prepared<Lesson>();
+  Image image(400, 300, {40, 40, 40});
+  for (int row = 0; row < 300; ++row) {
+    for (int column = 50; column < 350; ++column) {
+      const Place2 place{(column - 50 + 0.5) / 300, 1 - (row + 0.5) / 300};
+      if (std::hypot(place.u - 0.5, place.v - 0.5) > 0.499) continue;
+      const Rgb light = lesson.stage.sky(Ray<double>{{}, mirrored_sky(place)});
+      const auto byte = [](double channel) {
+        return static_cast<std::uint8_t>(byte_of_light(channel, Transfer::srgb));
+      };
+      image.at(column, row) = {byte(light.r), byte(light.g), byte(light.b)};
+    }
   }
-  return wrong;
+  return image;
 }
 
-constexpr Place<int, int, int, int> light_of_texel_places[] = {
-    {"with the exponent 136 a byte m means m + 1/2", {200, 100, 50, 136}},
-    {"a byte 0 has no light", {200, 0, 0, 136}},
-    {"a byte 0 in red alone: the others have their light", {0, 120, 60, 132}},
-    {"one less in the exponent is half of the light", {200, 100, 50, 135}},
-    {"a gray of about 1/2: the byte 127 with the exponent 128", {127, 127, 127, 128}},
-    {"the sun: the exponent 138", {225, 195, 147, 138}},
-    {"a very dark blue", {130, 140, 160, 120}},
-};
-
-/// Edges of a row as many compute them, with the lower edge of row + 1.
-Slips<double> wrong_edges(double i, double h) {
-  return {"the polar angle of an edge is pi * row / height",
-          {{"std::cos takes radians", {180 * i / h, floor(180 * i / h)}},
-           {"row / height divides whole numbers", {pi * floor(i / h), floor(i / h)}},
-           {"leave the half out", {pi * (i - 0.5) / h, pi * (i + 0.5) / h}},
-           {"divide by height, not by height - 1", pi * i / (h - 1)},
-           {"pi is missing", {i / h, i}},
-           {"your rows run over 2 pi or half of pi", {2 * pi * i / h, pi / 2 * i / h}},
-           {"yours is that of another row", {pi * (i + 1) / h, pi * (i - 1) / h}}}};
-}
-
-Slips<double> wrong_solid_angles(double row, double w, double h) {
-  const double a = pi * row / h, b = pi * (row + 1) / h;
-  const double ca = cos(a), cb = cos(b), sa = sin(a), sb = sin(b);
-  const double cosines = ca - cb, part = 2 * pi / w;  // of the turn around the axis
-  const double in_width = cos(pi * row / w) - cos(pi * (row + 1) / w);
-  // What many take for the integral; below, also the sine times a height of the row.
-  const Slips<double> integrals = {
-      {"the integral is cos a - cos b",
-       {{"yours is cos b - cos a, and a solid angle is above 0", -cosines},
-        {"yours are sines, or angles from the equator", {sa - sb, sb - sa}},
-        {"yours reaches from the north pole to an edge", {1 - cb, 1 - ca}},
-        {"", {ca + cb, ca * cb, cos(a - b), 1 - cos(a - b), ca}}}},
-      {"the polar angle is divided by the height: you divide it by the width", in_width},
+Slips<Vec3d> wrong_skies(Place2 uv) {
+  const double x = 2 * uv.u - 1, y = 2 * uv.v - 1, square = x * x + y * y, z = sqrt(1 - square);
+  const auto by = [](const Vec3d& n) { return mirror(Vec3d{0, 0, 1}, n); };
+  const auto by_angle = [=](double angle) {  // from the middle to the direction
+    const double out = square > 0 ? sin(angle) / sqrt(square) : 0;
+    return Vec3d{out * x, out * y, cos(angle)};
   };
-  const Slips<double> sines = {
-      "this is the sine at an edge of the row or in its middle: use the integral, cos a - cos b",
-      {sin(pi * (row + 0.5) / h), sa, sb, (sa + sb) / 2}};
-  const Slips<double> lower_edges = {
-      "the lower edge is that of row + 1, pi * (row + 1) / height",
-      {pi * row + 1 / h, pi * row, pi * row + 1, (pi * row + 1) / h, a + 1, pi * (row / h + 1),
-       pi * (row + 1 / h), row + pi / h, a, pi * (row - 1) / h, pi}};
-  const Slips<double> parts = {
-      {"a texel covers 2 pi / width, in radians, of the turn around the axis",
-       {2 * pi, pi / w, 2 * part, 1 / w, 1, 360 / w, 2 * pi * w, 2 * pi / h}},
-      {"cos a - cos b has the height in it already", {part * pi / h, part / h, part * 2 / h}},
-  };
-  Slips<double> wrong = {
-      {"the sine is missing: texels at the poles count as at the equator", part * pi / h},
-      {"all texels have the same part of 4 pi: not on the sphere", part * 2 / h},
-      {"* comes before -: put brackets around cos a - cos b", part * cos(a) - cos(b)},
-      {"width and height are exchanged: rows divide the polar angle", 2 * pi / h * in_width},
-      {"std::cos takes radians, and so does the turn around the axis: pi is 180 degrees",
-       360 / w * (cos(180 * row / h) - cos(180 * (row + 1) / h))},
-      combined([=](double upper, double below) { return part * (cos(upper) - cos(below)); },
-               wrong_edges(row, h), wrong_edges(row + 1, h)),
-      changed(lower_edges, [=](double edge) { return part * (cos(a) - cos(edge)); }),
-  };
-  const auto times = [](double factor) { return [=](double value) { return value * factor; }; };
-  wrong += changed(integrals, times(part));
-  for (const double height : {pi / h, 2 / h, 1 / h, pi / 2 / h, 1.})
-    wrong += changed(sines, times(part * height));
-  for (const double sign : {1, -1}) wrong += changed(parts, times(sign * cosines));
-  return wrong;
-}
-
-double right_angle(int row, int w, int h) { return SkyBand(row, w, h).solid_angle; }
-constexpr Place<int, int, int> solid_angle_places[] = {
-    {"two rows of one texel: each is half of the sphere, 2 pi", {0, 1, 2}},
-    {"the lower half is as large", {1, 1, 2}},
-    {"8 texels in each of two rows: pi / 4", {0, 8, 2}},
-    {"of 4 rows the first ends at 45 degrees: a narrow texel", {0, 8, 4}},
-    {"of 4 rows the second reaches from 45 degrees to the equator", {1, 8, 4}},
-    {"the last of 4 rows is as large as the first", {3, 8, 4}},
-    {"the first row of the chapter's sky", {0, 384, 192}},
-    {"its row at the equator", {96, 384, 192}},
-};
-
-Slips<int> wrong_things(const Sums& sums, double r) {
-  const auto size = static_cast<int>(sums.size());
-  const int last = size - 1;
-  const auto found = std::upper_bound(sums.begin(), sums.end(), r);
-  const auto above = static_cast<int>(found - sums.begin());  // size if there is none
-  const int right = min(above, last);
-  const auto nearer = [=](double a, double b) { return abs(a - r) < abs(b - r); };
-  const auto nearest = std::min_element(sums.begin(), sums.end(), nearer) - sums.begin();
-  const auto sum = [&](int i) { return i < 0 ? 0 : sums[static_cast<std::size_t>(i)]; };
-  /// The first i that fits, or what many return if none does.
-  const auto first = [&](const auto& fits, const std::vector<int>& otherwise) {
-    for (int i = 0; i < size; ++i)
-      if (fits(i)) return std::vector(otherwise.size(), i);
-    return otherwise;
-  };
-  const auto is_above = [=](int i) { return r < sum(i); };
-  const auto not_below = [=](int i) { return r <= sum(i); };
-  const std::vector<int> but_first{last, size, -1};  // where that is another mistake
-  const std::vector<int> all{last, size, -1, 0};
+  const Vec3d right = by({x, y, z});
   return {
-      {"the sums are not used: all things are equally likely, the sun as much as a cloud",
-       {cut_off(r * size), cut_off(r * last), rounded(r * last)}},
-      {"nothing is left if r is not below the last sum: limit the index to the last thing", above},
-      {"if rounding left no sum above r, return the last thing", first(is_above, {-1, 0})},
-      {"r < sums[i], not r <= sums[i]: else probability 0 is drawn", first(not_below, {last})},
-      {"r < sums[i], not r <= sums[i], and return the last thing if there is no such i",
-       first(not_below, {size, -1, 0})},
-      {"find the first i with r < sums[i]",
-       {{"yours is one too large", {above + 1, right + 1, min(above + 1, last)}},
-        {"yours is one too small", {max(right - 1, 0), max(above - 1, 0), right - 1, above - 1}},
-        {"the comparison is turned around", first([=](int i) { return r > sum(i); }, but_first)},
-        {"the comparison is turned around", first([=](int i) { return r >= sum(i); }, but_first)},
-        {"r is hardly ever equal to a sum", first([=](int i) { return r == sum(i); }, all)},
-        {"thing 0 is never drawn", first([=](int i) { return i > 0 && r < sum(i); }, all)},
-        {"thing 0 has no sum before it",
-         first([=](int i) { return i > 0 && r >= sum(i - 1) && r < sum(i); }, but_first)},
-        {"r may be the sum before",
-         first([=](int i) { return r > sum(i - 1) && r < sum(i); }, all)},
-        {"you compare r with the probability of thing i alone",
-         first([=](int i) { return r < sum(i) - sum(i - 1); }, all)},
-        {"you add the sums up, or subtract them from r",
-         first([&](int i) { return r < std::accumulate(&sums[0], &sums[0] + i + 1, 0.); }, all)},
-        {"yours is compared with 1 - r", first([=](int i) { return 1 - r < sum(i); }, all)},
-        {"you always draw the first or the last thing", {0, last}},
-        {"your search goes on", {r < sums.back() ? last : 0, r < sums.back() ? last : -1}},
-        {"you count the sums above r", size - above},
-        {"yours is the sum nearest to r", static_cast<int>(nearest)}}},
-      {"the last thing is never drawn: limit the index to sums.size() - 1", min(above, last - 1)},
+      {"this is the ball's normal: as if the sky were painted on the ball", {x, y, z}},
+      {"e leads from the ball back to the camera: it is (0, 0, 1)", -right},
+      {"r is 2 (n . e) n - e",
+       {{"the 2 is missing", Vec3d{x * z, y * z, z * z - 1}},
+        {"e is added", Vec3d{2 * x * z, 2 * y * z, 2 * z * z + 1}},
+        {"e is missing", Vec3d{2 * x * z, 2 * y * z, 2 * z * z}}}},
+      {"x and y run from -1 to 1 in the picture: take 2 u - 1 and 2 v - 1",
+       {by({uv.u, uv.v, sqrt(1 - uv.u * uv.u - uv.v * uv.v)}),
+        by({uv.u - 0.5, uv.v - 0.5, sqrt(max(1 - square / 4, 0.0))})}},
+      {"n has the length 1: z is sqrt(1 - x * x - y * y)",
+       {by({x, y, 1 - square}), by({x, y, 1 - sqrt(square)}), by({x, y, 1}), by({x, y, 0}),
+        by(normalize(Vec3d{x, y, 1}))}},
+      {"the ball leans by the angle whose sine is the distance from the middle",
+       {by_angle(pi * sqrt(square)), by_angle(pi / 2 * sqrt(square))}},
+      {"this is the map of a sky, as on the page: a photograph shows a disk", direction_rtiow(uv)},
+      {"the visible half of the ball faces the camera: z is above 0", by({x, y, -z})},
+      {"v grows upward, with y", {by({x, -y, z})}},
+      {"u grows to the right, with x", {by({-x, y, z})}},
   };
 }
+
+Vec3d right_sky(Place2 uv) {
+  const double x = 2 * uv.u - 1, y = 2 * uv.v - 1, z = sqrt(1 - x * x - y * y);
+  return {2 * x * z, 2 * y * z, 2 * z * z - 1};
+}
+constexpr Place<Place2> mirrored_sky_places[] = {
+    {"the middle shows the camera itself, +z", {{0.5, 0.5}}},
+    {"where the ball leans by 45 degrees to the right, +x is seen", {{0.5 + half_root / 2, 0.5}}},
+    {"where it leans by 45 degrees downward, -y is seen", {{0.5, 0.5 - half_root / 2}}},
+    {"at u = 0.8, v = 0.5 the normal is (0.6, 0, 0.8): (0.96, 0, 0.28)", {{0.8, 0.5}}},
+    {"close to the outline one sees what is behind the ball", {{0.02, 0.5}}},
+    {"at (2/3, 1/3)", {{2 / 3., 1 / 3.}}},
+    {"at (1/6, 5/6), where the normal is (-2, 2, 1) / 3", {{1 / 6., 5 / 6.}}},
+};
+
+using Rows = std::vector<double>;
+
+/// The sum of the rows, each times what it counts from its angle a to b, straight up 0.
+double sum_of(const Rows& rows, const std::function<double(double a, double b)>& counts,
+              double last = pi / 2, double turn = pi) {
+  double sum = 0;
+  const double step = turn / static_cast<double>(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    sum += rows[i] * counts(min(double(i) * step, last), min(double(i + 1) * step, last));
+  return sum;
+}
+double ring(double a, double b) { return sin(b) * sin(b) - sin(a) * sin(a); }
+double right_ground(const Rows& rows) {  // the ring, by another formula
+  return sum_of(rows, [](double a, double b) { return sin(b - a) * sin(b + a); });
+}
+
+Slips<double> wrong_grounds(const Rows& rows) {
+  const double right = right_ground(rows), size = double(rows.size());
+  const auto half = static_cast<std::ptrdiff_t>(rows.size() / 2);
+  const Rows upper(rows.begin(), rows.begin() + half);
+  return {
+      {"below the horizon nothing counts: there the cosine is below 0", sum_of(rows, ring, pi)},
+      {"Lambert's cosine is missing: light from the side counts less",
+       {sum_of(rows, [](double a, double b) { return cos(a) - cos(b); }),
+        sum_of(rows, [](double a, double b) { return cos(a) - cos(b); }) / 2}},
+      {"the solid angle is missing: a row near the zenith is small",
+       {sum_of(rows, [](double a, double b) { return sin(b) - sin(a); }),
+        sum_of(rows, [](double a, double b) { return cos((a + b) / 2) * (b - a); })}},
+      {"each row counts its ring, not what is in its middle",
+       {sum_of(rows, [](double a, double b) { return sin(a + b) * (b - a); }),
+        sum_of(
+            rows, [](double a, double b) { return max(sin(a + b), 0.) * (b - a); }, pi),
+        sum_of(rows, [](double a, double b) { return cos((a + b) / 2) * (cos(a) - cos(b)) * 2; })}},
+      {"both factors are missing: all rows above the horizon count the same",
+       {half > 0 ? std::accumulate(upper.begin(), upper.end(), 0.) / double(half) : 0,
+        sum_of(rows, [](double a, double b) { return (b - a) / (pi / 2); }),
+        sum_of(
+            rows, [](double a, double b) { return (b - a) / pi; }, pi)}},
+      {"the disk's area is pi: divide by it", {right * pi, right * 2 * pi}},
+      {"under a sky of light 1 it is 1: yours is half of it, or twice", {right / 2, right * 2}},
+      {"the row that the horizon divides counts up to the horizon: there b is pi / 2",
+       sum_of(upper, ring, pi, pi / size * double(half))},
+      {"all rows together cover pi: yours cover half of it, or twice as much",
+       {sum_of(rows, ring, pi, pi / 2), sum_of(rows, ring, pi / 2, 2 * pi)}},
+      {"a sine alone is a radius: areas go with its square", {sqrt(max(right, 0.)), right * right}},
+  };
+}
+
+/// What ground looks like under skies with a lamp of different heights: the sky above the ground.
+Image skies() {
+  const auto rows_of = [](int panel) {
+    Rows rows(static_cast<std::size_t>(9 + panel), 0.2);
+    rows[static_cast<std::size_t>(panel) * 5 / 11] = 1;
+    return rows;
+  };
+  std::vector<double> grounds;
+  for (int panel = 0; panel < 12; ++panel) grounds.push_back(light_of_ground(rows_of(panel)));
+  return panels([&](int panel, double, double y) {
+    const Rows rows = rows_of(panel);
+    const auto row = static_cast<std::size_t>((1 - y) * double(rows.size()));
+    return y < 0.5 ? grounds[static_cast<std::size_t>(panel)] : rows[row];
+  });
+}
+
+Slips<double> wrong_weights(double cosine, double q, int m, int k) {
+  const double above = max(cosine, 0.), p = above / pi, all = m + k;
+  const double both = m * p + k * q, right = p / both;
+  return {
+      {"this is the page's weight, for one direction by each way", p / (p + q)},
+      {"in the mean the directions of both ways are m p + k q, and you divide by how many, too",
+       {p / (p + q) / all, right / all}},
+      {"the sum over all directions is the result: it is not divided by m + k again", right * all},
+      {"below the surface there is no light: return 0", cosine / pi / (m * cosine / pi + k * q)},
+      {"the first way's density is cosine / pi: compare the densities as they are",
+       {above / (m * above + k * q), p / (m * above + k * q), above / (m * pi * above + k * q)}},
+      {"1 / pi is missing: the light that leaves is albedo / pi", above / both},
+      {"Lambert's cosine is missing", {1 / both, above > 0 ? 1 / both : 0, 1 / pi / both}},
+      {"m belongs to the cosine, and k to the sky", p / (k * p + m * q)},
+      {"divide by the densities of both ways, whichever drew the direction",
+       {p / (k * q), above / (pi * q), above > 0 ? 1. / m : 0, p / q}},
+      {"how many there are is missing in one of the two", {p / (m * p + q), p / (p + k * q)}},
+      {"the sum of the numbers and that of the densities are one: m p + k q",
+       {p / ((p + q) * m), p / ((p + q) * k), p / ((m + p) * (k + q))}},
+  };
+}
+
+constexpr Place<double, double, int, int> weight_of_places[] = {
+    {"one direction by each way, straight ahead, where both densities are 1 / pi: a half",
+     {1, 1 / pi, 1, 1}},
+    {"three by the cosine alone, 1 of the sky's that never comes there: a third", {0.5, 0, 3, 1}},
+    {"below the surface: 0", {-0.6, 0.4, 2, 2}},
+    {"two by the cosine and five by the sky, where it is bright", {0.6, 3, 2, 5}},
+    {"the same where it is dark", {0.6, 0.01, 2, 5}},
+    {"four by the cosine and one by the sky", {0.3, 0.5, 4, 1}},
+    {"none by the cosine and two by the sky", {0.8, 0.2, 0, 2}},
+};
 
 /// Of a million directions drawn by the cosine on a surface that faces the sun, how many find it.
 double directions_to_the_sun() {
@@ -327,31 +235,27 @@ double directions_to_the_sun() {
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
-  static const Place<Sums, double> drawn_thing_places[] = {
-      {"of the sums 0.1, 0.2, 0.9, 1 the number 0.05 draws thing 0", {{0.1, 0.2, 0.9, 1}, 0.05}},
-      {"0.15 draws thing 1", {{0.1, 0.2, 0.9, 1}, 0.15}},
-      {"0.5 draws thing 2: its probability is 0.7", {{0.1, 0.2, 0.9, 1}, 0.5}},
-      {"0.95 draws the last thing, 3", {{0.1, 0.2, 0.9, 1}, 0.95}},
-      {"of 0.02, 0.04, 0.06, 0.08, 1 the 0.07 draws thing 3", {{0.02, 0.04, 0.06, 0.08, 1}, 0.07}},
-      {"of 0.25, 0.5, 1 the number 0.5 draws thing 2: 1 ends below it", {{0.25, 0.5, 1}, 0.5}},
-      {"of 0.5, 0.5, 1 the number 0.5 draws thing 2: thing 1 has nothing", {{0.5, 0.5, 1}, 0.5}},
-      {"of 0, 0.25, 1 the number 0 draws thing 1: thing 0 has nothing", {{0, 0.25, 1}, 0}},
-      {"of 0.4, 0.8, 0.999 the number 0.9995 draws the last, 2", {{0.4, 0.8, 0.999}, 0.9995}},
+  static const Place<Rows> light_of_ground_places[] = {
+      {"a sky of light 1: the ground has 1", {Rows{1, 1, 1, 1}}},
+      {"two rows: all that counts is the upper one", {{0.5, 7}}},
+      {"of 4 rows the first ends at 45 degrees: half of the disk", {{1, 0, 0, 0}}},
+      {"the second of 4 rows has the other half", {{0, 0.6, 0, 0}}},
+      {"of 6 rows the first is a quarter of the disk", {{0.4, 0, 0, 0, 0, 0}}},
+      {"one row: its upper half", {{0.7}}},
+      {"3 rows: the horizon divides the middle one", {{0.1, 0.9, 0.3}}},
+      {"5 rows", {{0.9, 0.2, 0.6, 0.8, 0.4}}},
+      {"many rows", {{0.1, 0.3, 0.2, 0.9, 0.8, 0.5, 0.3, 0.2, 0.7, 0.1}}},
   };
   static const ExercisesOfChapter chapter{
       "12",
-      {exercise(light_of_texel, without_noise,
-                {light_of_bytes, wrong_lights, light_of_texel_places}),
-       exercise(solid_angle, without_noise, {right_angle, wrong_solid_angles, solid_angle_places}),
-       exercise(drawn_thing, [] { return scene("importance", 2); },
-                {[](const Sums& sums, double r) {
-                   return static_cast<int>(std::upper_bound(sums.begin(), sums.end() - 1, r) -
-                                           sums.begin());
+      {exercise(mirrored_sky, photograph, {right_sky, wrong_skies, mirrored_sky_places}),
+       exercise(light_of_ground, skies, {right_ground, wrong_grounds, light_of_ground_places}),
+       exercise(weight_of, scene,
+                {[](double cosine, double q, int m, int k) {
+                   const double by_cosine = max(cosine, 0.) / pi;
+                   return by_cosine > 0 ? by_cosine / (m * by_cosine + k * q) : 0;
                  },
-                 wrong_things,
-                 drawn_thing_places,
-                 {},
-                 [](const Sums& sums, double /*r*/) { return static_cast<int>(sums.size()); }})},
+                 wrong_weights, weight_of_places})},
       {{"The bright core of the sun is 2.8 degrees wide. Of a million directions drawn by the "
         "cosine on a surface that faces the sun, how many find it?",
         directions_to_the_sun,
