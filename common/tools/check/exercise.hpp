@@ -53,6 +53,19 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // none.
 using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
 
+// A way to draw a picture: its time, and how far off a place on the texture is, in texels.
+struct Way {
+  double ms, seen, at_most;
+};
+
+// An object that a ray meets: how far away, and the light that arrives there.
+struct Met {
+  double distance, light;
+};
+
+// How bright the texture of an object is where the ray meets it.
+using PaintOf = std::function<double(int object)>;
+
 inline Vec3 operator*(const Vec3& v, double factor) {  // of an int, too
   return {v.x * factor, v.y * factor, v.z * factor};
 }
