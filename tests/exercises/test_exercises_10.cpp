@@ -13,7 +13,7 @@ TEST_CASE("10: strangers' answers get their words") {
   at("equal steps of the angle", [](D y) { return acos(y) / (2 * pi); });
   at("the root is missing", [](D y) { return (1 - y) / 4; });
   at("(1 - y) / 2", [](D y) { return sqrt(1 - y) / 2; });
-  at("larger than the square", [](D y) { return sqrt((1 - y) / 2); });
+  at("does not fit the square", [](D y) { return sqrt((1 - y) / 2); });
   at("below the north", [](D y) { return sin(acos(y)) / 2; });
   on_round_map("0 / 0", [](V p) {
     const V out = normalize(V{p.x, 0, -p.z});

@@ -89,8 +89,7 @@ Slips<Place2> wrong_rounds(Vec3d p) {
       {"seen from above the south is below the north: this is the plane of the page", from_axis},
       {"the cap's share of the sphere is 2 pi (1 - y) / 4 pi, (1 - y) / 2",
        {sqrt(1 - y), sqrt(1 - abs(y)), sqrt((1 - y) / 4)}},
-      {"the rim has the radius 1/2: your map is larger than the square", {2 * right}},
-      {"your map is smaller than the square: at the south pole the radius is 1/2", right / 2},
+      {"the rim has the radius 1/2: your map does not fit the square", {2 * right, right / 2}},
       {"the south pole is in the middle of your map", sqrt((1 + y) / 2)},
   };
   const double r = right / 2;

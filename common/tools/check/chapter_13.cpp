@@ -58,8 +58,6 @@ Slips<int> wrong_ways(const Ways& ways, int width, double budget) {
            ways, [](const Way&) { return true; }, fastest)},
       {"of those that fit the fastest is wanted, and this is the most accurate",
        chosen(ways, fits, [](const Way& a, const Way& b) { return a.at_most < b.at_most; })},
-      {"this is the slowest of those that fit",
-       chosen(ways, fits, [](const Way& a, const Way& b) { return fastest(b, a); })},
       {"of several that are as fast, take the one that is off by less, at most",
        {chosen(ways, fits, [](const Way& a, const Way& b) { return a.ms < b.ms; }),
         chosen(ways, fits, [](const Way& a, const Way& b) { return a.ms <= b.ms; }),
@@ -109,15 +107,15 @@ std::any with_count(const std::any& yours) {
   const auto* seen = std::any_cast<Seen>(&yours);
   if (seen == nullptr) return yours;
   return std::function([seen = *seen](const std::vector<Met>& met, double sky) {
-    double asked = 0;
+    double calls = 0;
     const double color = seen(
         met,
         [&](int object) {
-          ++asked;
+          ++calls;
           return brightness(object);
         },
         sky);
-    return Counted{color, asked};
+    return Counted{color, calls};
   });
 }
 

@@ -138,7 +138,7 @@ template <class Out>
   if constexpr (std::is_integral_v<Out>) {
     return value;
   } else if constexpr (std::is_arithmetic_v<Out>) {
-    return static_cast<Out>(off(value));
+    return static_cast<Out>(off(double(value)));
   } else {
     return std::apply([&](auto... number) { return Out{off(number)...}; }, parts(value));
   }

@@ -26,7 +26,9 @@ template <std::size_t N>
 [[nodiscard]] std::array<double, N> parts(const std::array<double, N>& list) {
   return list;
 }
-[[nodiscard]] inline std::array<double, 1> parts(double number) { return {number}; }
+template <class Number>
+requires std::is_arithmetic_v<Number>
+[[nodiscard]] std::array<double, 1> parts(Number number) { return {double(number)}; }
 [[nodiscard]] inline std::array<double, 2> parts(const Uv<double>& uv) { return {uv.u, uv.v}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
