@@ -50,8 +50,4 @@ TEST_CASE("07: strangers' answers get their words") {
   by_radius("area, inner * inner, comes first", [](D s, D) { return sqrt(s); });
   by_radius("in units of pi", [](D s, D in) { return sqrt(in * in + s * pow(1 - in, 2)); });
   by_radius("the root is missing", [](D s, D in) { return s + in * in * (1 - s); });
-  place_on_lens("i has no effect", [](int i, int n, D a, D b, D inner) {
-    const D r = sqrt(inner * inner + (i / n + a) * (1 - inner * inner));
-    return Uv{r * cos(2 * pi * b), r * sin(2 * pi * b)};
-  });
 }

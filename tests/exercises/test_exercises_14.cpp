@@ -21,10 +21,6 @@ TEST_CASE("14: strangers' answers get their words") {
     const D a = dx * dx + dz * dz, b = -(fx * dx + fz * dz), c = fx * fx + fz * fz - r * r;
     return b * b - a * c;
   });
-  discriminant("any length", [](float fx, float fz, float dx, float dz, float r) -> float {
-    const D h = D(fx) * dz - D(fz) * dx;
-    return r * r - h * h;
-  });
   discriminant.right([](float fx, float fz, float dx, float dz, float r) {  // from near the can
     const float a = dx * dx + dz * dz, t = -(fx * dx + fz * dz) / a;
     const float x = std::fma(t, dx, fx), z = std::fma(t, dz, fz), b = x * dx + z * dz;

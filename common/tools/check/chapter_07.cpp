@@ -269,7 +269,6 @@ Slips<Place2> wrong_places(int i, int n, double a, double b, double inner) {
        {radius_at(i + a), radius_at(i + a / n), radius_at(i * 1. / n + a), radius_at(i * a / n),
         radius_at((i + a) / (n - 1)), radius_at((i + a) / (n + 1)), radius_at((i + 1 + a) / n),
         radius_at((i - 1 + a) / n)}},
-      {"sample 0 is in the innermost ring, and a = 0 is farthest in", {radius_at(1 - share)}},
   };
   const Slips<double> angles = {
       {"b is a share of a turn, and std::cos takes radians: the angle is 2 pi b",
@@ -290,7 +289,6 @@ constexpr Place<int, int, double, double, double> place_on_lens_places[] = {
     {"b = 1/4 is a quarter turn: up, toward +y", {0, 1, 0.5, 0.25, 0.28}},
     {"one ring from 0.6 to 1, a = 1/4: radius * radius = 0.36 + 0.64 / 4", {0, 1, 0.25, 0, 0.6}},
     {"sample 3 of 4 is in the last ring", {3, 4, 0.5, 0.125, 0.6}},
-    {"sample 1 of 2, with a = 0.7 and b = 0.8", {1, 2, 0.7, 0.8, 0.5}},
     {"sample 5 of 16, with a = 0.3 and b = 0.6", {5, 16, 0.3, 0.6, 0.8}},
 };
 

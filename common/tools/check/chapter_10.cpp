@@ -105,7 +105,6 @@ Slips<Place2> wrong_rounds(Vec3d p) {
       {"+x is to the right: your map is mirrored", {0.5 - r * x, 0.5 + r * up}},
       {"the middle of the map is at (1/2, 1/2): add 0.5",
        {{r * x, r * up}, {right * x, right * up}}},
-      {"from above you see x and z: y is the height", {0.5 + r * x, 0.5 + r * y}},
   };
 }
 
@@ -113,10 +112,8 @@ constexpr Place<Vec3d> on_round_map_places[] = {
     {"on +x, a quarter of a turn from the pole: half of the area lies inside", {{1, 0, 0}}},
     {"on -z it is straight up from the middle", {{0, 0, -1}}},
     {"at the north pole it is the middle, (1/2, 1/2)", {{0, 1, 0}}},
-    {"at the height 1/2, to the left: a quarter of the area lies inside",
-     {{-half_root * std::numbers::sqrt3 / std::numbers::sqrt2, 0.5, 0}}},
+    {"at (-0.96, 0.28, 0): 0.36 of the area lies inside", {{-0.96, 0.28, 0}}},
     {"at (0, -0.28, 0.96): 0.64 of the area lies inside", {{0, -0.28, 0.96}}},
-    {"in the direction (2, -2, -1) / 3", {{2. / 3, -2. / 3, -1. / 3}}},
     {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
 };
 
@@ -132,8 +129,7 @@ Slips<Place2> wrong_half_octahedra(Vec3d p) {
   const auto by = [&](double sum) { return at((x - z) / sum, (-x - z) / sum); };
   return {
       {"the square stands on its corner still: turn it, by an eighth of a turn", at(a, b)},
-      {"a turn alone leaves the square too small: its corners are 1 from the middle, and the "
-       "picture's are the root of 2",
+      {"a turn alone leaves the square too small: enlarge it by the root of 2",
        {at(right * half_root, up * half_root), at(right / 2, up / 2)}},
       {"it is too large: 1 to the right, before the turn, is 1 right and 1 down after it",
        at(right * 2 * half_root, up * 2 * half_root)},
@@ -145,8 +141,6 @@ Slips<Place2> wrong_half_octahedra(Vec3d p) {
        {by(1), by(length(p)), by(x + y + z), by(abs(x) + abs(z)), by(max({abs(x), y, abs(z)}))}},
       {"u and v run from 0 to 1: return (1 + ...) / 2",
        {{right, up}, {right / 2, up / 2}, {1 + right, 1 + up}}},
-      {"the upper half has no fold: that is for y below 0",
-       {at(copysign(1 - abs(b), a), copysign(1 - abs(a), b))}},
   };
 }
 
@@ -157,7 +151,6 @@ constexpr Place<Vec3d> on_half_octahedron_places[] = {
     {"between them, at (1, 0, -1), it is the middle of the right side", {{1, 0, -1}}},
     {"(1, 1, 0) is halfway from the middle to the lower right corner", {{1, 1, 0}}},
     {"(-1, 2, 1): |x| + |y| + |z| is 4", {{-1, 2, 1}}},
-    {"(3, 4, 1)", {{3, 4, 1}}},
     {"(-2, 5, -13), close to the horizon", {{-2, 5, -13}}},
 };
 

@@ -86,13 +86,6 @@ Slips<Vec3d> wrong_normals(Vec3d bricks, Vec3d scratches) {
       {"the scratches have the wrong sign: they look like ridges", leaning(b - s, 1)},
       {"the third number is 1, that of the flat wall",
        {leaning(b + s, 0.5), leaning(b + s, sum.z), leaning(b + s, bricks.z * scratches.z)}},
-      {"heights add up, so nothing is multiplied",
-       {{bricks.x * scratches.x, bricks.y * scratches.y, bricks.z * scratches.z},
-        leaning({b.x * s.x, b.y * s.y, 0}, 1)}},
-      {"the slope along x is x / z, for y and z, too, it is no angle",
-       {leaning({atan2(bricks.x, bricks.z) + atan2(scratches.x, scratches.z),
-                 atan2(bricks.y, bricks.z) + atan2(scratches.y, scratches.z), 0},
-                1)}},
       {"the cross product is at a right angle to both normals, so it lies in the wall",
        cross(bricks, scratches)},
   };
