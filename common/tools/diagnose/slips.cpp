@@ -702,8 +702,8 @@ class Search {
 
   /// Pixels that are not the right picture's.
   [[nodiscard]] long different() const { return different_; }
-  /// How many of these a way explains; -1 if it leaves more than 2 % of an object unexplained, or if
-  /// nobody knows what it draws at four in ten of them.
+  /// How many of these a way explains; -1 if it leaves more than 2 % of an object unexplained, or
+  /// if nobody knows what it draws at four in ten of them.
   [[nodiscard]] long explained(const Way& way) const {
     long sum = 0, unknown = 0;
     auto left = seen_of_;
