@@ -145,7 +145,10 @@ TEST_CASE("chapter 06: mistakes of the light and of the highlight have their wor
       {.words = "the globe's texture is blended", .blended = true},
       {.words = "the highlight is too wide: it takes Blinn's half vector", .half_vector = true},
       // With four times the exponent the half vector draws almost the right picture.
-      {.words = "the highlight's exponent is", .exponent = 200, .half_vector = true},
+      {.words = "the highlight is too wide: it takes Blinn's half vector and not the reflected "
+                "light; and the highlight's exponent is 200",
+       .exponent = 200,
+       .half_vector = true},
       {.words = "the highlight's exponent is 10 and not 50", .exponent = 10},
       {.words = "the highlight's exponent is 40 and not 50", .exponent = 40},
       {.words = "the highlight's exponent is 80 and not 50", .exponent = 80},
