@@ -627,8 +627,8 @@ class Book {
         fs::exists(file) ? lines_of(contents_of(file)) : std::vector<std::string>{};
     std::string dots;
     int done = 0, all = 0;
-    const char* of = "tests/exercises/%s_%d.hpp";
-    for (; fs::exists(root_ / text(of, number.c_str(), all + 1)); ++all) {
+    const fs::path answers = root_ / "tests/exercises";
+    for (; fs::exists(answers / text("%s_%d.hpp", number.c_str(), all + 1)); ++all) {
       const std::string exercise = text("%s.%d ", number.c_str(), all + 1);
       const bool is_done = std::any_of(passed.begin(), passed.end(), [&](const std::string& line) {
         return line.rfind(exercise, 0) == 0;
