@@ -113,7 +113,7 @@ std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, 
       {Filter::stochastic, 16, "stochastic"}};
   long reads = 0;
   FilteredTexture texture;
-  texture.pyramid = pyramid_of(light_of(checkers_image(1024, squares), TexelLight::linear));
+  texture.pyramid = pyramid_of({checkers_image(1024, squares), TexelLight::linear});
   Filtered<CountedPyramid> counted;
   counted.pyramid = {texture.pyramid, &reads};
   const auto count = static_cast<double>(pixels.size());

@@ -84,7 +84,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
 
 }  // namespace
 
-SheetImage sheet_of_projections(const Session& session, const Image& picture, Projection from,
+SheetImage sheet_of_projections(const Session& session, const SharedImage& picture, Projection from,
                                 const DrawGlobe& draw_globe) {
   const int width = session.settings.width;
   const int height = session.settings.height;
@@ -139,17 +139,19 @@ void save_sheet(Session& session, const Image& sheet) {
 }
 
 void save_converted(Session& session, TextureFile& file, const ProjectionOptions& layout) {
-  const Image image = file.load();
+  SharedImage image = file.load();
   const Projection to = layout.to.value_or(layout.from);
   const PictureSize size = converted_size(image, layout.from, to);
   session.chosen.default_size(size.width, size.height);
   session.chosen.check();
   if (!session.settings.quiet) print(about_layout(file.name, image));
   const PictureSize wanted{session.settings.width, session.settings.height};
-  session.save(session.timed(
+  const Image converted = session.timed(
       static_cast<double>(wanted.width) * wanted.height, [&](const RenderSettings& settings) {
         return convert_projection(image, layout.from, to, wanted, settings.threads);
-      }));
+      });
+  image = file.kept = {};  // saving needs the memory
+  session.save(converted);
 }
 
 }  // namespace texmap::chapter_10

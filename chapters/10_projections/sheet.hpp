@@ -14,7 +14,7 @@ namespace texmap::chapter_10 {
 using DrawGlobe = std::function<Image(const Image& picture, int width, int height)>;
 
 /// The sheet, as large as the session's picture, of a picture in the layout `from`.
-[[nodiscard]] SheetImage sheet_of_projections(const Session& session, const Image& picture,
+[[nodiscard]] SheetImage sheet_of_projections(const Session& session, const SharedImage& picture,
                                               Projection from, const DrawGlobe& draw_globe);
 
 /// The same for a lesson: only its globe's paint changes.

@@ -40,7 +40,8 @@ struct Globe {
   LightTexture light;        ///< the same picture, decoded to light
   BilinearTexture bilinear;  ///< the same picture, filtered
 
-  explicit Globe(const Image& picture) : nearest{picture}, light(nearest), bilinear{picture} {}
+  explicit Globe(const SharedImage& picture)
+      : nearest{picture}, light(nearest), bilinear{picture} {}
 
   /// The view from a place around the globe.
   ///

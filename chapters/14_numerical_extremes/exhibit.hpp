@@ -82,7 +82,8 @@ struct Exhibit {
 ///
 /// @param earth   on the globes
 /// @param labels  on the needle
-[[nodiscard]] std::vector<Exhibit> all_exhibits(const Image& earth, const Image& labels);
+[[nodiscard]] std::vector<Exhibit> all_exhibits(const SharedImage& earth,
+                                                const SharedImage& labels);
 
 /// The options that choose one exhibit and how it is drawn; the sheet shows all of them.
 struct ExhibitOptions {

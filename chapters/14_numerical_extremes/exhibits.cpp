@@ -46,7 +46,7 @@ Exhibit exhibit_of(const Scene& moved) {
 
 }  // namespace
 
-std::vector<Exhibit> all_exhibits(const Image& earth, const Image& labels) {
+std::vector<Exhibit> all_exhibits(const SharedImage& earth, const SharedImage& labels) {
   return std::apply([](const auto&... scene) { return std::vector<Exhibit>{exhibit_of(scene)...}; },
                     exhibit_scenes(earth, labels));
 }

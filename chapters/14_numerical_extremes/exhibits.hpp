@@ -221,7 +221,7 @@ struct SceneWith {
 };
 
 /// All exhibits, in the order of the sheet.
-[[nodiscard]] inline auto exhibit_scenes(const Image& earth, const Image& labels) {
+[[nodiscard]] inline auto exhibit_scenes(const SharedImage& earth, const SharedImage& labels) {
   const Sphere<> globe{{0, 0, 0}, 1};
   const ImageTexture texture{earth};
   const auto from = [&](const char* name, const char* caption, double radii) {
@@ -270,7 +270,7 @@ struct SceneWith {
       SeamFootprint{{"footprint",
                      "a filtered globe, at its seam",
                      {.eye = {-3, 0.8, 0.4}, .target = {0, 0, 0}, .fov_y_degrees = 44}},
-                    {.pyramid = pyramid_of(light_of(earth, TexelLight::encoded)),
+                    {.pyramid = pyramid_of({earth, TexelLight::encoded}),
                      .filter = Filter::trilinear,
                      .wrap = Wrap::spherical}},
       MirrorWrap{{"mirror", "8 texels, mirrored at 0", straight_on}},

@@ -10,10 +10,10 @@ namespace texmap {
 /// The color at (u, v), mixed from the four nearest texel centers, u = (column + 1/2) / width.
 /// u wraps around, so a globe has no seam; v is clamped to the first and the last row.
 struct BilinearTexture {
-  Image image;  ///< an empty one is black
+  SharedImage image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
   TexelLight light = TexelLight::encoded;  ///< what is mixed; only linear light has a correct mean
-  LightImage deep{};  ///< if not empty, finer numbers in place of the image's bytes
+  SharedLight deep{};                      ///< if not empty, finer numbers in place of the image
 
   /// The color at (u, v), exact at texel centers.
   ///
@@ -21,24 +21,25 @@ struct BilinearTexture {
   /// Bound: 4 unit roundoffs of 1 for the color, 2 for the place.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    if (image.pixels.empty()) return gray(Real(0));
-    const Real width = Real(image.width), height = Real(image.height);
+    if (image.pixels.empty() && deep.empty()) return gray(Real(0));
+    const Real width = Real(max(image.width, deep.width));
+    const Real height = Real(max(image.height, deep.height));
     const Real x = wrapped_coordinate(Wrap::repeat, uv.u) * width - Real(0.5);
     const Real y = wrapped_coordinate(Wrap::clamp, uv.v) * height - Real(0.5);
     const auto texel_at = [&](const Real& column, const Real& row) {
       const Real beyond = select(column < width, Real(0), width);
+      const Real last = height - Real(1), from_zero = clamp(row, Real(0), last);
       return texel(column - select(column < Real(0), -width, beyond),
-                   clamp(row, Real(0), height - Real(1)));
+                   v_axis == VAxis::down ? from_zero : last - from_zero);
     };
     return bilinear_mix(texel_at, x, y);
   }
 
  private:
-  /// The texel in a column, and in a row counted from v = 0.
+  /// The texel in a column and a row from the top.
   template <class Real>
-  [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
-    const Real row = v_axis == VAxis::down ? from_zero : Real(image.height - 1) - from_zero;
-    if (!deep.pixels.empty()) return light_at(deep, column, row);
+  [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
+    if (!deep.empty()) return light_at(deep, column, row);
     const bool decoded = light != TexelLight::encoded;
     const auto* levels = decoded ? light_of_bytes<LightEntry<Real>>(light).data() : nullptr;
     const auto channels = look_up(

@@ -2,6 +2,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace texmap {
@@ -38,6 +41,40 @@ struct Grid {
   }
 };
 using Image = Grid<Rgb8>;
+
+/// Red, green and blue of one pixel in finer steps, 0 to 65535.
+struct Rgb16 {
+  std::uint16_t r = 0, g = 0, b = 0;
+  friend bool operator==(const Rgb16&, const Rgb16&) = default;
+};
+using DeepImage = Grid<Rgb16>;
+
+/// A picture whose copies share its pixels, which nobody changes.
+template <class Pixel>
+class SharedGrid {
+ public:
+  int width = 0;
+  int height = 0;
+  std::span<const Pixel> pixels;  ///< as in Grid
+
+  SharedGrid() = default;
+  SharedGrid(Grid<Pixel> grid) : whole_(std::make_shared<const Grid<Pixel>>(std::move(grid))) {
+    width = whole_->width;
+    height = whole_->height;
+    pixels = whole_->pixels;
+  }
+
+  /// The pixel in a column and a row, as Grid::at.
+  [[nodiscard]] const Pixel& at(int column, int row) const {
+    return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(column)];
+  }
+  operator const Grid<Pixel>&() const { return *whole_; }
+
+ private:
+  std::shared_ptr<const Grid<Pixel>> whole_ = std::make_shared<const Grid<Pixel>>();
+};
+using SharedImage = SharedGrid<Rgb8>;
 
 /// The picture with the color in each pixel that `color_at` gives for its column and row.
 template <class ColorAt>

@@ -48,7 +48,7 @@ template <class Real, class Table>
 
 /// The color of the texel that holds (u, v): the nearest texel.
 struct ImageTexture {
-  Image image;  ///< an empty one is black
+  SharedImage image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
   TexelRounding rounding = TexelRounding::floor;
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "number/table.hpp"
@@ -18,23 +19,32 @@ struct PyramidLevel {
 };
 
 /// The images of a pyramid, from the original (level 0) to a single texel: its mean light.
-/// Memory: 4/3 of the original's for a square.
-/// Source: Williams, "Pyramidal Parametrics" (1983).
+/// Copies share the texels. Source: Williams, "Pyramidal Parametrics" (1983).
 struct Pyramid {
+  static constexpr int later_bytes = 4;  ///< a texel of the original: what all other levels take
+
   std::vector<PyramidLevel<int>> levels;
-  std::vector<std::size_t> row_starts;  ///< of all rows of all levels, the first texel
-  std::vector<Color<float>> texels;     ///< of all levels, the original first
+  std::vector<std::size_t> row_starts;    ///< of all rows of all levels, the first texel
+  SharedLight original = {};              ///< level 0
+  SharedGrid<Color<float>> smaller = {};  ///< the texels of all other levels, one after another
 
   /// The number of the last level; -1 for a pyramid of nothing.
   [[nodiscard]] int last_level() const { return static_cast<int>(levels.size()) - 1; }
-
-  /// Adds a level.
-  void add(const LightImage& image) {
-    const int first_row = static_cast<int>(row_starts.size());
-    levels.push_back({image.width, image.height, first_row});
-    for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row)
-      row_starts.push_back(texels.size() + row * static_cast<std::size_t>(image.width));
-    texels.insert(texels.end(), image.pixels.begin(), image.pixels.end());
+  /// Adds a level whose first texel has this number.
+  void add(int width, int height, std::size_t first) {
+    levels.push_back({width, height, static_cast<int>(row_starts.size())});
+    for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row)
+      row_starts.push_back(first + row * static_cast<std::size_t>(width));
+  }
+  /// The light of a texel.
+  ///
+  /// @param row  among the rows of all levels
+  [[nodiscard]] Color<float> at(std::size_t column, std::size_t row) const {
+    const std::size_t texel = row_starts[row] + column;
+    return row < original_rows() ? original[texel] : smaller.pixels[texel];
+  }
+  [[nodiscard]] std::size_t original_rows() const {
+    return static_cast<std::size_t>(original.height);
   }
 };
 
@@ -63,46 +73,72 @@ struct Covered {
   return all;
 }
 
-/// An image in half the size, rounded down and at least 1 each way; its mean light is the same.
-/// Bound: 2 roundings of float.
-[[nodiscard]] inline LightImage halved(const LightImage& image) {
-  LightImage narrow(std::max(image.width / 2, 1), image.height);
-  LightImage result(narrow.width, std::max(image.height / 2, 1));
-  const auto width = static_cast<std::size_t>(narrow.width);
-  std::vector<Rgb> sums(result.pixels.size());
-  const auto rounded = [&sums](std::size_t i, double share) {
-    const Rgb mean = sums[i] * share;
-    sums[i] = {};
+/// Adds to `to` an image in half the size, rounded down and at least 1 each way; its mean light is
+/// the same. It holds no more than a row of the image. Bound: 2 roundings of float.
+///
+/// @param light_of  the light of a texel, by its number row by row
+template <class LightOf>
+void append_half(std::vector<Color<float>>& to, int width, int height, const LightOf& light_of) {
+  const auto rounded = [](const Rgb& mean) {
     return Color<float>{static_cast<float>(mean.r), static_cast<float>(mean.g),
                         static_cast<float>(mean.b)};
   };
-  const std::vector<Covered> columns = covered_by_half(image.width);
-  for (int row = 0; row < image.height; ++row) {
-    for (const auto& [to, from, part] : columns)
-      sums[to] = sums[to] + number_cast<double>(image.at(from, row)) * part;
-    for (std::size_t i = 0; i < width; ++i)
-      narrow.at(static_cast<int>(i), row) = rounded(i, 1.0 / image.width);
-  }
-  for (const auto& [to, from, part] : covered_by_half(image.height)) {
-    for (std::size_t i = 0; i < width; ++i) {
-      Rgb& sum = sums[to * width + i];
-      sum = sum + number_cast<double>(narrow.at(static_cast<int>(i), from)) * part;
+  const std::vector<Covered> columns = covered_by_half(width);
+  std::vector<Rgb> narrow(static_cast<std::size_t>(std::max(width / 2, 1)));  // one row
+  std::vector<Rgb> sums(narrow.size());
+  const double column_share = 1.0 / width, row_share = 1.0 / height;
+  int in_narrow = -1;
+  std::size_t in_sums = 0;
+  const auto finish = [&] {
+    for (Rgb& sum : sums) to.push_back(rounded(std::exchange(sum, {}) * row_share));
+  };
+  for (const auto& [row, from, part] : covered_by_half(height)) {
+    if (row != in_sums) finish();
+    in_sums = row;
+    if (from != std::exchange(in_narrow, from)) {
+      std::fill(narrow.begin(), narrow.end(), Rgb{});
+      const std::size_t start = static_cast<std::size_t>(from) * static_cast<std::size_t>(width);
+      for (const auto& [column, old, share] : columns) {
+        narrow[column] =
+            narrow[column] +
+            number_cast<double>(light_of(start + static_cast<std::size_t>(old))) * share;
+      }
+      for (Rgb& sum : narrow) sum = number_cast<double>(rounded(sum * column_share));
     }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = sums[i] + narrow[i] * part;
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) result.pixels[i] = rounded(i, 1.0 / image.height);
-  return result;
+  finish();
 }
 
 /// The pyramid of an image of any size; of an empty image, nothing.
-[[nodiscard]] inline Pyramid pyramid_of(LightImage image) {
+[[nodiscard]] inline Pyramid pyramid_of(SharedLight image) {
   Pyramid pyramid;
-  if (image.pixels.empty()) return pyramid;
-  pyramid.texels.reserve(image.pixels.size() * 4 / 3 + 2 * static_cast<std::size_t>(image.width));
-  pyramid.add(image);
-  while (image.width > 1 || image.height > 1) {
-    image = halved(image);
-    pyramid.add(image);
+  if (image.empty()) return pyramid;
+  std::size_t size = 0;  // of all levels but the first
+  int width = image.width, height = image.height;
+  pyramid.add(width, height, 0);
+  while (width > 1 || height > 1) {
+    width = std::max(width / 2, 1);
+    height = std::max(height / 2, 1);
+    pyramid.add(width, height, size);
+    size += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
+  LightImage smaller;
+  smaller.width = static_cast<int>(size);
+  smaller.height = 1;
+  std::vector<Color<float>>& to = smaller.pixels;
+  to.reserve(size);  // so that it does not move while it is read
+  for (int level = 0; level < pyramid.last_level(); ++level) {
+    const PyramidLevel<int>& from = pyramid.levels[static_cast<std::size_t>(level)];
+    const Color<float>* const first =
+        to.data() + pyramid.row_starts[static_cast<std::size_t>(from.first_row)];
+    if (level == 0)
+      append_half(to, from.width, from.height, [&](std::size_t i) { return image[i]; });
+    else
+      append_half(to, from.width, from.height, [first](std::size_t i) { return first[i]; });
+  }
+  pyramid.original = std::move(image);
+  pyramid.smaller = std::move(smaller);
   return pyramid;
 }
 
@@ -127,8 +163,8 @@ template <class Real>
                                       const Real& column, const Real& row) {
   const auto channels = look_up(
       [&](int at_column, int at_row) {
-        const std::size_t start = pyramid.row_starts[static_cast<std::size_t>(at_row)];
-        const Color<float>& texel = pyramid.texels[start + static_cast<std::size_t>(at_column)];
+        const Color<float> texel =
+            pyramid.at(static_cast<std::size_t>(at_column), static_cast<std::size_t>(at_row));
         return std::array{texel.r, texel.g, texel.b};
       },
       column, level.first_row + row);

@@ -21,14 +21,14 @@ template <class Real>
 /// A mean of the nine nearest texels, weighted by a quadratic B-spline each way. The value and its
 /// first derivatives are continuous, also over the seam and the poles of a globe.
 struct SmoothTexture {
-  LightImage image;  ///< an empty one is black
+  SharedLight image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
   Wrap wrap = Wrap::spherical;  ///< needs an even number of columns
 
   /// The mean, as the middle texel plus the others' differences from it: a constant stays exact.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    if (image.pixels.empty()) return gray(Real(0));
+    if (image.empty()) return gray(Real(0));
     const Real x = uv.u * Real(image.width);
     const Real y = (v_axis == VAxis::down ? uv.v : Real(1) - uv.v) * Real(image.height);
     const Real column = floor(x);

@@ -59,8 +59,8 @@ Group described(const std::string& name) {
   Group group{.name = name, .title = cells[1], .unit = cells[2], .note = cells[4]};
   group.seconds = std::stod(cells[3]);
   while (std::getline(lines, line) && !line.empty()) {
-    if (line.starts_with("!["))
-      group.plot = line;
+    if (line.starts_with("![") || line.starts_with("|"))
+      group.plot += (group.plot.empty() ? "" : "\n") + line;
     else
       group.text += (group.text.empty() ? "" : "\n") + line;
   }
@@ -69,7 +69,7 @@ Group described(const std::string& name) {
 
 std::vector<Group> all_groups() {
   return {chapters_group(), threads_group(), meshes_group(), tracing_group(),
-          budgets_group(),  ledger_group(),  uv_group()};
+          budgets_group(),  ledger_group(),  uv_group(),     described("memory")};
 }
 
 const Row& Group::base_of(const Row& row) const {
@@ -85,6 +85,7 @@ void measure(Group& group, const Effort& effort, const Report& report) {
     timed.push_back(&row);
     works.push_back(row.prepare());
   }
+  if (works.empty()) return;
   const int rounds = rounds_within(1000 * group.seconds * effort.part, works, effort.least, 2000);
   const std::vector<WorkTime> times = work_times(works, rounds, report);
   for (std::size_t i = 0; i < timed.size(); ++i) {
@@ -106,9 +107,11 @@ std::string section_of(const Group& group) {
   std::string section = "## " + group.name + ": " + group.title + "\n\n" + group.text + "\n";
   if (group.ratio == Ratio::cost)
     section += "In brackets: how many times as long as the base takes.\n";
-  section.append("\n").append(line_of(cells)).append("|");
-  for (std::size_t i = 0; i < cells.size(); ++i) section += "---|";
-  section += "\n";
+  if (!columns.empty()) {
+    section.append("\n").append(line_of(cells)).append("|");
+    for (std::size_t i = 0; i < cells.size(); ++i) section += "---|";
+    section += "\n";
+  }
   for (const std::string& line : each_once(group.rows, &Row::line)) {
     cells.assign(columns.size() + 1, "");
     cells[0] = line;

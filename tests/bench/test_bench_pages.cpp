@@ -43,7 +43,7 @@ TEST_CASE("no row is there twice, and each has something to be compared with") {
       CHECK((!row.prepare || group.base_of(row).prepare));
       CHECK(row.line.find('|') == std::string::npos);
     }
-    CHECK_FALSE(cells.empty());
+    CHECK(cells.empty() == (group.name == "memory"));  // tests/sizes/curve.py measures it
   }
 }
 

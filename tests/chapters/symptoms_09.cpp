@@ -48,7 +48,7 @@ TEST_CASE("a level is twice as coarse as the one before") {
   const Pyramid pyramid = pyramid_of(steps());
   expect_number("the levels of a picture of 4 x 1 texels", pyramid.last_level() + 1, 3, {},
                 "the pyramid ends at one texel");
-  expect_number("red of the last level", pyramid.texels.back().r, 0.375,
+  expect_number("red of the last level", pyramid.smaller.pixels.back().r, 0.375,
                 {{0, "the first texel was taken, and not the mean"},
                  {0.75, "the sum was not divided"},
                  {1.5, "the sum was not divided"}});

@@ -111,6 +111,19 @@ TEST_CASE(
   CHECK(root_mean_square(Filter::ewa, 12, 1.5) > 1e-6);
 }
 
+TEST_CASE(
+    "both globes and every copy of the lesson have one pyramid, level 0 as the file's bytes") {
+  const auto lesson = prepared<Lesson>();
+  const auto copy = lesson;
+  const Pyramid& pyramid = lesson.objects[0].paint.texture.pyramid;
+  CHECK(copy.objects[1].paint.texture.pyramid.smaller.pixels.data() ==
+        pyramid.smaller.pixels.data());
+  CHECK(3 * pyramid.smaller.pixels.size() - pyramid.original.size() < 3 * 2048);
+  const Image bytes = load_image(find_texture("earth.png"));
+  const float light = light_of_bytes<float>(TexelLight::linear)[bytes.at(700, 300).g];
+  CHECK(pyramid.at(700, 300).g == light);
+}
+
 TEST_CASE("--scene plane leaves the plane as it is, and --scene globe a globe under the sky") {
   const Lesson both = filtered("anisotropic");
   const Lesson plane = prepared<Lesson>({"--scene", "plane"});

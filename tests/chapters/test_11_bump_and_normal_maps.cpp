@@ -118,7 +118,7 @@ TEST_CASE("a flat normal map leans by sqrt(2) / 255: each byte is within 2 level
 TEST_CASE("all 16 bits of a height and of a normal count, and alpha is no part of them") {
   BumpOptions options;
   options.image = TEXMAP_TESTS_DIR "/corpus/png_grey16_ramp.png";
-  const LightImage heights = options.load();
+  const SharedLight heights = options.load();
   for (int i = 0; i < 64; ++i) CHECK(heights.at(i, 0).r == static_cast<float>(8 * i) / 65535);
 
   const Hit<double> hit{.normal = {0, 0, 1}, .point = {0, 0, 1}, .outside = {}};

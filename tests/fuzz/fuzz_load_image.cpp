@@ -99,11 +99,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return texmap::test::loads_or_refuses([&] {
     std::string note;
     const texmap::Image image = texmap::decode_image({data, size}, &note);
-    texmap::LightImage deep;
+    texmap::DeepImage deep;
     const texmap::Image numbers = texmap::decode_image({data, size}, nullptr, &deep);
-    claim(numbers.pixels.size() == image.pixels.size(), "numbers are as many as colors");
-    claim(deep.pixels.empty() || deep.pixels.size() == numbers.pixels.size(),
-          "all numbers have 16 bits, or none");
+    claim(numbers.pixels.size() + deep.pixels.size() == image.pixels.size(),
+          "numbers are as many as colors, all of 8 or of 16 bits");
     claim(image.width >= 1 && image.width <= 16384, "a picture has 1 to 16384 columns");
     claim(image.height >= 1 && image.height <= 16384, "a picture has 1 to 16384 rows");
     const std::size_t area =

@@ -86,6 +86,11 @@ expect_memory "01, $size pixels" $all 6 01_plain_spheres "$@"
 expect_memory "03, $size pixels" $all 6 03_image_texture "$@"
 cp "$work/measured.png" "$work/texture.png"
 expect_memory "03, a texture of $size texels" $all 3 03_image_texture --texture "$work/texture.png" --width 64 --height 48
+set -- "$work/texture.png" --width 64 --height 48
+expect_memory "09, a texture of $size texels" $all 7 09_texture_filtering --texture "$@"
+expect_memory "10, a texture of $size texels, converted" $all 6 10_projections --projection octahedral --texture "$@"
+expect_memory "11, heights of $size texels" $all 3 11_bump_and_normal_maps --relief-image "$@"
+set -- --width "$width" --height "$height"
 if [ "$part" = yes ]; then
   expect_memory "07, 2048 x 1024 pixels, 1 sample" $((2 << 20)) 6 07_earth_by_sampling --width 2048 --height 1024 --samples 1
 else

@@ -17,16 +17,22 @@ constexpr std::array wraps = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::bor
 
 /// A pyramid with texels that hold their own centers and their level.
 Pyramid coordinates(int width, int height) {
-  Pyramid pyramid;
-  for (int level = 0; level == 0 || (width >> (level - 1)) > 1 || (height >> (level - 1)) > 1;
-       ++level) {
-    const int columns = std::max(width >> level, 1), rows = std::max(height >> level, 1);
-    pyramid.add(image_of(columns, rows, [&](int column, int row) {
+  const auto level_of_centers = [](int columns, int rows, std::size_t level) {
+    return image_of(columns, rows, [&](int column, int row) {
       return Color<float>{(static_cast<float>(column) + 0.5F) / static_cast<float>(columns),
                           (static_cast<float>(row) + 0.5F) / static_cast<float>(rows),
                           static_cast<float>(level)};
-    }));
+    });
+  };
+  Pyramid pyramid = pyramid_of(level_of_centers(width, height, 0));
+  LightImage smaller(static_cast<int>(pyramid.smaller.pixels.size()), 1);
+  auto to = smaller.pixels.begin();
+  for (std::size_t level = 1; level < pyramid.levels.size(); ++level) {
+    const PyramidLevel<int>& size = pyramid.levels[level];
+    const LightImage image = level_of_centers(size.width, size.height, level);
+    to = std::copy(image.pixels.begin(), image.pixels.end(), to);
   }
+  pyramid.smaller = std::move(smaller);
   return pyramid;
 }
 

@@ -84,13 +84,13 @@ TEST_CASE(
     "each texel is the mean of four; of an odd size the middle one counts half on either side") {
   LightImage image(4, 2);
   for (int i = 0; i < 8; ++i) image.pixels[static_cast<std::size_t>(i)].r = static_cast<float>(i);
-  const LightImage half = halved(image);
-  CHECK(half.at(0, 0).r == 2.5F);  // of 0, 1, 4, 5
-  CHECK(half.at(1, 0).r == 4.5F);
+  const Pyramid half = pyramid_of(image);
+  CHECK(half.at(0, 2).r == 2.5F);  // of 0, 1, 4, 5
+  CHECK(half.at(1, 2).r == 4.5F);
   LightImage odd(5, 1);
   odd.at(2, 0).r = 5.0F;
-  CHECK(halved(odd).at(0, 0).r == 1.0F);
-  CHECK(halved(odd).at(1, 0).r == 1.0F);
+  CHECK(pyramid_of(odd).at(0, 1).r == 1.0F);
+  CHECK(pyramid_of(odd).at(1, 1).r == 1.0F);
   CHECK(pyramid_of(LightImage{}).last_level() == -1);
 }
 

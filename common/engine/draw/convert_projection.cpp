@@ -57,7 +57,7 @@ Texel beyond_band(CubeSpacing spacing, const Texel& home, int column, int row, i
 constexpr std::size_t most_places = 8;  // of a texel in each direction
 
 /// How many places a texel needs in each direction, from the footprint on the other picture.
-int places_for(const LightImage& image, Projection from, Projection to, const Uv<double>& uv,
+int places_for(const SharedLight& image, Projection from, Projection to, const Uv<double>& uv,
                const PictureSize& size) {
   const Uv<Dual<double>> steps{{uv.u, 1.0 / size.width, 0.0}, {uv.v, 0.0, 1.0 / size.height}};
   const Uv<Dual<double>> there = project(from, unproject(to, steps));
@@ -116,7 +116,7 @@ Texel texel_beside(Projection projection, const Texel& home, int column, int row
   return {static_cast<int>(texel.column), static_cast<int>(texel.row)};
 }
 
-Color<double> light_at(const LightImage& image, Projection projection, const Uv<double>& uv) {
+Color<double> light_at(const SharedLight& image, Projection projection, const Uv<double>& uv) {
   const int width = image.width;
   const int height = image.height;
   const double x = uv.u * width - 0.5;
@@ -143,10 +143,10 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   return bilinear_mix(with_corner, x, y);
 }
 
-Image convert_projection(const Image& image, Projection from, Projection to,
+Image convert_projection(const SharedImage& image, Projection from, Projection to,
                          const PictureSize& size, int threads) {
   if (from == to && size == PictureSize{image.width, image.height}) return image;
-  const LightImage light = light_of(image, TexelLight::linear);
+  const SharedLight light(image, TexelLight::linear);
   Image result(size.width, size.height);
   for_each_row(size.height, threads, {}, [&](int row) {
     std::array<Vec3<double>, most_places * most_places> directions;

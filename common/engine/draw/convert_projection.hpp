@@ -28,7 +28,7 @@ struct Texel {
 
 /// The light at (u, v) of a picture in a layout, mixed from the four nearest texel centers. What is
 /// beyond an edge or a seam is taken from where it goes on.
-[[nodiscard]] Color<double> light_at(const LightImage& image, Projection projection,
+[[nodiscard]] Color<double> light_at(const SharedLight& image, Projection projection,
                                      const Uv<double>& uv);
 
 /// A picture in another layout: light_at, and where the picture shrinks the mean of n x n places of
@@ -36,7 +36,7 @@ struct Texel {
 ///
 /// @param threads  0: all cores
 /// @return  `image` itself where nothing changes; black where `from` shows nothing
-[[nodiscard]] Image convert_projection(const Image& image, Projection from, Projection to,
+[[nodiscard]] Image convert_projection(const SharedImage& image, Projection from, Projection to,
                                        const PictureSize& size, int threads = 0);
 
 }  // namespace texmap

@@ -22,6 +22,17 @@ requires can_fetch<Real>
   return {part(0), part(1), part(2)};
 }
 
+/// The three channels of a texel in a row among those of all levels.
+template <class Real>
+requires can_fetch<Real>
+[[nodiscard]] auto channels_in_row(const Pyramid& pyramid, std::uint32_t row,
+                                   std::uint32_t column) {
+  const std::size_t texel = pyramid.row_starts[row] + column;
+  if (row >= pyramid.original_rows()) return channels_at<Real>(&pyramid.smaller.pixels[texel].r);
+  const Color<float> light = pyramid.original[texel];
+  return channels_of<Real>(light.r, light.g, light.b);
+}
+
 /// texel_light for all lanes at once.
 template <class Real>
 requires can_fetch<Real>
@@ -29,9 +40,8 @@ requires can_fetch<Real>
                                       const Real& column, const Real& row) {
   const auto columns = lane_integers(column);
   const auto rows = lane_integers(level.first_row + row);
-  const auto channels = from_channels<Real>([&](std::size_t i) {
-    return channels_at<Real>(&pyramid.texels[pyramid.row_starts[rows[i]] + columns[i]].r);
-  });
+  const auto channels = from_channels<Real>(
+      [&](std::size_t i) { return channels_in_row<Real>(pyramid, rows[i], columns[i]); });
   return {channels[0], channels[1], channels[2]};
 }
 
@@ -51,13 +61,12 @@ requires can_fetch<Real>
   const auto to_far_column = all_lanes(select(from_left, across, Real(1) - across));
   const auto to_far_row = all_lanes(select(from_top, down, Real(1) - down));
 
-  const Color<float>* const texels = pyramid.texels.data();
   const auto channels = from_channels<Real>([&](std::size_t i) {
     const auto mixed = [](const auto& a, const auto& b, const auto& t) { return a + t * (b - a); };
     const auto across_row = [&](std::uint32_t row) {
-      const Color<float>* const first = texels + pyramid.row_starts[row];
-      return mixed(channels_at<Real>(&first[near_columns[i]].r),
-                   channels_at<Real>(&first[far_columns[i]].r), four_times<Real>(to_far_column[i]));
+      return mixed(channels_in_row<Real>(pyramid, row, near_columns[i]),
+                   channels_in_row<Real>(pyramid, row, far_columns[i]),
+                   four_times<Real>(to_far_column[i]));
     };
     return mixed(across_row(near_rows[i]), across_row(far_rows[i]),
                  four_times<Real>(to_far_row[i]));

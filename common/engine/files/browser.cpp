@@ -21,6 +21,7 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 std::filesystem::path program_folder() { return {}; }
 std::filesystem::path folder_in_environment(const char*) { return {}; }
 double thread_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+std::uint64_t free_memory() { return ~std::uint64_t{0}; }
 std::string processor_name() { return "unknown"; }
 double system_load() { return -1; }
 bool stderr_is_watched() { return false; }

@@ -8,6 +8,7 @@
 #include "engine/files/image_limits.hpp"
 #include "engine/files/read_jpeg.hpp"
 #include "engine/files/read_png.hpp"
+#include "engine/files/system.hpp"
 
 namespace texmap {
 namespace {
@@ -76,11 +77,30 @@ void refuse_kind(Bytes file, bool is_sky) {
   throw FileError("it is not " + wanted + ", whatever its name says");
 }
 
-Image decode_image(Bytes file, std::string* note, LightImage* deep) {
+void check_memory(std::uint64_t decoding, std::uint64_t later) {
+  constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+  const auto refuse = [](std::uint64_t bytes, const std::string& why) {
+    throw FileError("it would take " + std::to_string(bytes / mebibyte + 1) + " MiB of memory" +
+                    why);
+  };
+  if (decoding > max_decoding_bytes) {
+    refuse(decoding, " to decode, more than " + std::to_string(max_decoding_bytes / mebibyte) +
+                         "; save it smaller, or with 8 bits a channel, no alpha, not interlaced "
+                         "and not progressive");
+  }
+  if (decoding + later < 16 * mebibyte) return;
+  const std::uint64_t free = free_memory();
+  if (decoding + later > free) {
+    refuse(decoding + later, ", and " + std::to_string(free / mebibyte) +
+                                 " MiB are free; half as wide and high it takes a quarter");
+  }
+}
+
+Image decode_image(Bytes file, std::string* note, DeepImage* deep, int later_bytes) {
   if (file.size() > max_file_bytes) throw FileError("the file is too long");
   if (file.empty()) throw FileError("the file is empty");
-  if (looks_like_png(file)) return read_png(file, note, deep);
-  if (looks_like_jpeg(file)) return read_jpeg(file, note);
+  if (looks_like_png(file)) return read_png(file, note, deep, later_bytes);
+  if (looks_like_jpeg(file)) return read_jpeg(file, note, later_bytes);
   refuse_kind(file, false);
 }
 

@@ -9,12 +9,12 @@ namespace texmap {
 
 /// The picture in a PNG or JPEG file of at most 64 MiB; the content decides which it is. Takes at
 /// most 1 GiB. Rounds 16 bits to bytes, makes grey three channels, drops alpha without a note.
-///
 /// @param note  gets what its user should know, and transparent pixels are put over black
-/// @param deep  for numbers, not colors: gets those of a PNG with 16 bits, / 65535; else empty
-/// Errors: FileError unless whole, a side at most 16384, the area 2^27; std::bad_alloc.
-[[nodiscard]] Image decode_image(Bytes file, std::string* note = nullptr,
-                                 LightImage* deep = nullptr);
+/// @param deep  for numbers, not colors: gets a PNG of 16 bits, and the result is empty
+/// @param later_bytes  a pixel: what the caller makes of it. Errors: FileError unless whole, a side
+///              at most 16384, the area 2^27, and for more than the free memory; std::bad_alloc.
+[[nodiscard]] Image decode_image(Bytes file, std::string* note = nullptr, DeepImage* deep = nullptr,
+                                 int later_bytes = 0);
 
 /// Throws FileError with the kind of a file that is none of those wanted, by its first bytes, and
 /// what makes a picture of it.

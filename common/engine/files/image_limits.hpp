@@ -41,13 +41,8 @@ inline void check_sky_size(ImageSize size, std::uint64_t most) {
                   std::to_string(most) + "; save it smaller");
 }
 
-/// Refuses a picture that takes too much memory to decode: `bytes` at once, with file and picture.
-inline void check_decoding_bytes(std::uint64_t bytes) {
-  if (bytes <= max_decoding_bytes) return;
-  throw FileError(
-      "decoding it would take " + std::to_string((bytes >> 20) + 1) + " MiB of memory, more than " +
-      std::to_string(max_decoding_bytes >> 20) +
-      "; save it smaller, or with 8 bits a channel, no alpha, not interlaced and not progressive");
-}
+/// Refuses a picture that takes too much memory: `decoding` bytes at once, with file and picture,
+/// and `later` for what is made of it.
+void check_memory(std::uint64_t decoding, std::uint64_t later);
 
 }  // namespace texmap

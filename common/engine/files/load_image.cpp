@@ -7,9 +7,11 @@
 
 namespace texmap {
 
-Image load_image(const std::filesystem::path& path, std::string* note, LightImage* deep) {
-  return with_name("cannot load texture", path,
-                   [&] { return decode_image(read_file(path, max_file_bytes), note, deep); });
+Image load_image(const std::filesystem::path& path, std::string* note, DeepImage* deep,
+                 int later_bytes) {
+  return with_name("cannot load texture", path, [&] {
+    return decode_image(read_file(path, max_file_bytes), note, deep, later_bytes);
+  });
 }
 
 }  // namespace texmap

@@ -11,10 +11,10 @@ namespace texmap {
 /// The picture in a PNG or JPEG file; its content decides which, not its name.
 ///
 /// @param path  a regular file of 1 byte to 64 MiB with at most 16384 pixels a side and 2^27 in all
-/// @param note, deep  see decode_image
+/// @param note, deep, later_bytes  see decode_image
 /// @return      8 bits a channel, no alpha; decode_image says how other files are converted
 /// Errors: FileError `cannot load texture 'F': why`, never a part of a picture; std::bad_alloc.
 [[nodiscard]] Image load_image(const std::filesystem::path& path, std::string* note = nullptr,
-                               LightImage* deep = nullptr);
+                               DeepImage* deep = nullptr, int later_bytes = 0);
 
 }  // namespace texmap

@@ -1,6 +1,7 @@
 // The system's answers on Linux, macOS and their like.
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <sys/sysctl.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -231,6 +233,29 @@ std::string processor_name() {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
+}
+
+std::uint64_t free_memory() {
+  // The first number after a word of a file of the system; without a word, at its beginning.
+  const auto number_in = [](const char* name, const std::string& word) {
+    std::ifstream file(name);
+    for (std::string found; word.empty() || file >> found;) {
+      if (found == word) break;
+    }
+    std::uint64_t number = 0;
+    return file >> number ? std::optional(number) : std::nullopt;
+  };
+  std::uint64_t least = ~std::uint64_t{0};
+  if (const auto there = number_in("/proc/meminfo", "MemAvailable:")) least = *there << 10;
+  // What a container may have in all.
+  if (const auto most = number_in("/sys/fs/cgroup/memory.max", "")) least = std::min(least, *most);
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    const std::uint64_t used = number_in("/proc/self/status", "VmSize:").value_or(0) << 10;
+    least = std::min<std::uint64_t>(least,
+                                    limit.rlim_cur - std::min<std::uint64_t>(used, limit.rlim_cur));
+  }
+  return least;
 }
 
 double system_load() {

@@ -273,7 +273,7 @@ PixelOrder order_of_exif(Bytes data) {
 // The file, read from the front, and what was found so far.
 class Reader {
  public:
-  explicit Reader(Bytes file) : rest_(file.subspan(2)) {}
+  Reader(Bytes file, int later_bytes) : rest_(file.subspan(2)), later_bytes_(later_bytes) {}
 
   PixelOrder order;
 
@@ -418,7 +418,8 @@ class Reader {
     // The decoder needs a byte for each of 64 samples (three if progressive) and the pixels.
     // Copying the pixels then takes twice their size, 768 MiB at most.
     const std::uint64_t pixels = sizeof(Rgb8) * std::uint64_t{size_.width} * size_.height;
-    check_decoding_bytes(blocks * 64 * (progressive_ ? 3 : 1) + pixels);
+    check_memory(blocks * 64 * (progressive_ ? 3 : 1) + pixels,
+                 std::uint64_t{size_.width} * size_.height * static_cast<unsigned>(later_bytes_));
     if (!progressive_) return;
     for (Channel& channel : channels_) {
       channel.known_not_zero.resize(
@@ -603,6 +604,7 @@ class Reader {
   }
 
   Bytes rest_;
+  int later_bytes_;
   ImageSize size_;
   std::vector<Channel> channels_;
   bool progressive_ = false;
@@ -624,8 +626,8 @@ bool looks_like_jpeg(Bytes file) {
   return file.size() >= 3 && file[0] == 0xFF && file[1] == 0xD8 && file[2] == 0xFF;
 }
 
-Image read_jpeg(Bytes file, std::string* note) {
-  Reader reader(file);
+Image read_jpeg(Bytes file, std::string* note, int later_bytes) {
+  Reader reader(file, later_bytes);
   const ImageSize size = reader.read();
   // With a fourth byte a pixel the decoder turns eight pixels at once into colors. A large picture
   // does without, for its memory.

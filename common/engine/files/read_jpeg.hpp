@@ -15,6 +15,6 @@ namespace texmap {
 /// @param note  if there, gets what decode_image says
 /// Errors: FileError; std::bad_alloc.
 /// Source: ITU-T T.81, annexes B, C, F and G.
-[[nodiscard]] Image read_jpeg(Bytes file, std::string* note = nullptr);
+[[nodiscard]] Image read_jpeg(Bytes file, std::string* note = nullptr, int later_bytes = 0);
 
 }  // namespace texmap

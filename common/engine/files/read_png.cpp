@@ -18,6 +18,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/files/png_chunks.hpp"
@@ -161,18 +162,6 @@ bool put_over_black(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* 
   return any;
 }
 
-// Makes numbers of a row of 16 bits a channel. Grey has its one channel three times.
-void put_deep_row(const PngChunks& png, Bytes row, std::size_t columns, Color<float>* out,
-                  std::size_t step) {
-  const std::size_t channels = png.header.channels, next = channels < 3 ? 0 : 1;
-  for (std::size_t i = 0; i < columns; ++i) {
-    const auto channel = [&](std::size_t n) {
-      return static_cast<float>(sample_at(row, i * channels + n, 16)) / 65535;
-    };
-    out[i * step] = {channel(0), channel(next), channel(2 * next)};
-  }
-}
-
 // Makes pixels of an unfiltered row, each `step` places after the one before it.
 void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, std::size_t step) {
   const std::size_t depth = png.header.bit_depth;
@@ -209,15 +198,20 @@ void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, st
   }
 }
 
-}  // namespace
-
-bool looks_like_png(Bytes file) {
-  return file.size() >= png_signature.size() &&
-         std::equal(png_signature.begin(), png_signature.end(), file.begin());
+// The same for 16 bits a channel, all of which are kept. Grey has its one channel three times.
+void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb16* out, std::size_t step) {
+  const std::size_t channels = png.header.channels, next = channels < 3 ? 0 : 1;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const auto channel = [&](std::size_t n) {
+      return static_cast<std::uint16_t>(sample_at(row, i * channels + n, 16));
+    };
+    out[i * step] = {channel(0), channel(next), channel(2 * next)};
+  }
 }
 
-Image read_png(Bytes file, std::string* note, LightImage* deep) {
-  const PngChunks png = read_png_chunks(file);
+// The picture in the parts of a file. `note`: transparent pixels are put over black, and noted.
+template <class Pixel>
+Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int later_bytes) {
   const PngHeader& header = png.header;
   std::vector<std::uint8_t> joined;
   if (png.compressed.size() > 1) {
@@ -237,27 +231,25 @@ Image read_png(Bytes file, std::string* note, LightImage* deep) {
   const std::size_t area = std::size_t{header.size.width} * header.size.height;
   const std::size_t own_room = header.interlaced ? promised : 0;
   const std::size_t shared_room =
-      header.interlaced ? area : std::max(area, promised / sizeof(Rgb8) + 1);
-  const bool is_deep = deep != nullptr && header.bit_depth == 16;
-  const std::size_t deep_room = is_deep ? area * sizeof(Color<float>) : 0;
-  check_decoding_bytes(2 * file.size() + own_room + shared_room * sizeof(Rgb8) + deep_room);
+      header.interlaced ? area : std::max(area, promised / sizeof(Pixel) + 1);
+  check_memory(2 * file.size() + own_room + shared_room * sizeof(Pixel),
+               area * static_cast<std::size_t>(later_bytes));
   // Two bytes of header, four of checksum, and deflate makes at most 1032 bytes out of one.
   if (compressed.size() < 6 || promised / 1032 > compressed.size())
     damaged_png("it has too few bytes for its size in pixels");
 
-  Image image;
+  Grid<Pixel> image;
   image.width = static_cast<int>(header.size.width);
   image.height = static_cast<int>(header.size.height);
   image.pixels.resize(shared_room);
   std::vector<std::uint8_t> own(own_room);
   const std::span<std::uint8_t> shared(reinterpret_cast<std::uint8_t*>(image.pixels.data()),
-                                       shared_room * sizeof(Rgb8));
+                                       shared_room * sizeof(Pixel));
   std::span<std::uint8_t> rest = header.interlaced ? own : shared.last(promised);
   inflate(compressed, rest);
 
-  if (is_deep) *deep = LightImage(image.width, image.height);
-  const bool may_show_black =
-      note != nullptr && deep == nullptr && (header.color_type >= 4 || !png.transparency.empty());
+  [[maybe_unused]] const bool may_show_black =
+      note != nullptr && (header.color_type >= 4 || !png.transparency.empty());
   bool shows_black = false;
   const std::size_t pixel = std::max(1U, header.channels * header.bit_depth / 8);
   for (const Pass& pass : passes(header)) {
@@ -268,19 +260,35 @@ Image read_png(Bytes file, std::string* note, LightImage* deep) {
       std::copy_n(&rest[1], size.row_bytes, row.begin());
       unfilter(rest[0], row, above, pixel);
       rest = rest.subspan(1 + size.row_bytes);
-      const int x = static_cast<int>(pass.first_column);
-      const int y = static_cast<int>(pass.first_row + r * pass.row_step);
-      Rgb8* const first = &image.at(x, y);
+      Pixel* const first = &image.at(static_cast<int>(pass.first_column),
+                                     static_cast<int>(pass.first_row + r * pass.row_step));
       put_row(png, row, size.columns, first, pass.column_step);
-      if (is_deep) put_deep_row(png, row, size.columns, &deep->at(x, y), pass.column_step);
-      if (may_show_black && put_over_black(png, row, size.columns, first, pass.column_step))
-        shows_black = true;
+      if constexpr (std::is_same_v<Pixel, Rgb8>) {
+        if (may_show_black && put_over_black(png, row, size.columns, first, pass.column_step))
+          shows_black = true;
+      }
       row.swap(above);
     }
   }
   image.pixels.resize(area);
   if (shows_black) *note = "has transparent texels: they are drawn over black";
   return image;
+}
+
+}  // namespace
+
+bool looks_like_png(Bytes file) {
+  return file.size() >= png_signature.size() &&
+         std::equal(png_signature.begin(), png_signature.end(), file.begin());
+}
+
+Image read_png(Bytes file, std::string* note, DeepImage* deep, int later_bytes) {
+  const PngChunks png = read_png_chunks(file);
+  if (deep != nullptr && png.header.bit_depth == 16) {
+    *deep = read_pixels<Rgb16>(file, png, nullptr, later_bytes);
+    return {};
+  }
+  return read_pixels<Rgb8>(file, png, deep == nullptr ? note : nullptr, later_bytes);
 }
 
 }  // namespace texmap

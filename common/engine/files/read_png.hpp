@@ -15,6 +15,7 @@ namespace texmap {
 /// Errors: FileError, also if the zlib stream is shorter or longer than the header says;
 /// std::bad_alloc.
 /// Source: PNG specification, third edition, sections 7 to 9.
-[[nodiscard]] Image read_png(Bytes file, std::string* note = nullptr, LightImage* deep = nullptr);
+[[nodiscard]] Image read_png(Bytes file, std::string* note = nullptr, DeepImage* deep = nullptr,
+                             int later_bytes = 0);
 
 }  // namespace texmap

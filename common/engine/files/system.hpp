@@ -40,6 +40,9 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
 /// coarsely, the clock's.
 [[nodiscard]] double thread_milliseconds();
 
+/// Bytes of memory that the program can still get; 2^64 - 1 where the system does not tell.
+[[nodiscard]] std::uint64_t free_memory();
+
 /// The processor's name; "unknown" where the system does not tell.
 [[nodiscard]] std::string processor_name();
 

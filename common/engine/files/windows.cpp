@@ -188,6 +188,12 @@ double thread_milliseconds() {  // GetThreadTimes counts in steps of 16 ms
   return std::chrono::duration<double, std::milli>(now).count();
 }
 
+std::uint64_t free_memory() {
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof status;
+  return GlobalMemoryStatusEx(&status) != 0 ? status.ullAvailPageFile : ~std::uint64_t{0};
+}
+
 std::string processor_name() {
   const char* const name = std::getenv("PROCESSOR_IDENTIFIER");
   return name == nullptr ? "unknown" : name;

@@ -40,7 +40,7 @@ struct BumpOptions {
 
   void declare(Offer& offer);
   /// The height image. Errors: FileError with the file and where it was looked for.
-  [[nodiscard]] LightImage load() const;
+  [[nodiscard]] SharedLight load() const;
   /// The normal map as a texture of bytes / 255, without decoding.
   /// Errors: FileError as for load(); UsageError if all is gray, or most normals point inward.
   [[nodiscard]] BilinearTexture load_normals(VAxis v_axis) const;

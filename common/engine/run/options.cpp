@@ -27,9 +27,10 @@ namespace texmap {
 namespace {
 
 // The picture of a file; says what was done to it.
-Image load_noted(const std::string& name, const CommandLine* line, LightImage* deep = nullptr) {
+Image load_noted(const std::string& name, const CommandLine* line, DeepImage* deep = nullptr,
+                 int later_bytes = 0) {
   std::string note;
-  Image image = load_image(find_texture(name), &note, deep);
+  Image image = load_image(find_texture(name), &note, deep, later_bytes);
   if (line != nullptr && !note.empty()) line->note(name + " " + note + "\n");
   return image;
 }
@@ -41,12 +42,9 @@ void TextureFile::declare(Offer& offer) {
   offer.line.text(option, "FILE", name, help);
 }
 
-Image TextureFile::load() {
-  if (!kept.pixels.empty()) return kept;
-  Image image = load_noted(name, declared);
-  if (loaded) kept = image;
-  loaded = true;
-  return image;
+SharedImage TextureFile::load(int later_bytes) {
+  if (kept.pixels.empty()) kept = load_noted(name, declared, nullptr, later_bytes);
+  return kept;
 }
 
 void LayoutOptions::declare(Offer& offer) {
@@ -134,8 +132,9 @@ void ProjectionOptions::declare(Offer& offer) {
 }
 
 ImageTexture ProjectionOptions::load(TextureFile& file) const {
-  Image image = file.load();
-  if (from == on_globe()) return {std::move(image)};
+  const bool converts = from != on_globe();
+  const SharedImage image = file.load(converts ? sizeof(Rgb8) : 0);
+  if (!converts) return {image};
   return {convert_projection(image, from, on_globe(), converted_size(image, from, on_globe()))};
 }
 
@@ -193,35 +192,40 @@ bool BumpOptions::paints(const Chosen& chosen) const {
 }
 
 BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
-  LightImage deep;
-  Image map = load_noted(normals, declared, &deep);
-  const auto is_gray = [](const Rgb8& texel) {  // nearly, after JPEG; no normal has r = b often
-    return std::abs(texel.r - texel.g) <= 8 && std::abs(texel.g - texel.b) <= 8;
-  };
-  if (std::all_of(map.pixels.begin(), map.pixels.end(), is_gray)) {
+  DeepImage deep;
+  const SharedImage map = load_noted(normals, declared, &deep);
+  const SharedLight numbers =
+      map.pixels.empty() ? SharedLight(std::move(deep)) : SharedLight(map, TexelLight::encoded);
+  std::size_t gray = 0, inward = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto [r, g, b] = numbers[i] * 255.0F;
+    // nearly, after JPEG; no normal has r = b often
+    if (std::abs(r - g) < 8.5F && std::abs(g - b) < 8.5F) ++gray;
+    if (b < 127.5F) ++inward;
+  }
+  if (gray == numbers.size()) {
     throw UsageError("--normals " + normals +
                      ": all its texels are gray; it looks like heights: use --relief-image");
   }
-  const auto inward = std::count_if(map.pixels.begin(), map.pixels.end(),
-                                    [](const Rgb8& texel) { return texel.b < 128; });
-  if (2 * static_cast<std::size_t>(inward) > map.pixels.size()) {
+  if (2 * inward > numbers.size()) {
     throw UsageError("--normals " + normals +
                      ": most of its normals point inward (blue below 128), so it is no normal map. "
                      "If it has heights, give it to --relief-image");
   }
-  return {std::move(map), v_axis, TexelLight::encoded, std::move(deep)};
+  return {map, v_axis, TexelLight::encoded, map.pixels.empty() ? numbers : SharedLight()};
 }
 
-LightImage BumpOptions::load() const {
-  LightImage deep;
-  const Image bytes = load_noted(image, declared, &deep);
-  return deep.pixels.empty() ? light_of(bytes, TexelLight::encoded) : deep;
+SharedLight BumpOptions::load() const {
+  DeepImage deep;
+  Image bytes = load_noted(image, declared, &deep);
+  if (!deep.pixels.empty()) return SharedGrid(std::move(deep));
+  return {std::move(bytes), TexelLight::encoded};
 }
 
 namespace {
 
-FilteredTexture texture_of(const Image& image, const FilterOptions& options, Wrap wrap) {
-  return {.pyramid = pyramid_of(light_of(image, TexelLight::linear)),
+FilteredTexture texture_of(SharedImage image, const FilterOptions& options, Wrap wrap) {
+  return {.pyramid = pyramid_of({std::move(image), TexelLight::linear}),
           .filter = options.filter,
           .wrap = wrap,
           .taps = options.taps,
@@ -272,12 +276,13 @@ Image checkers_image(int size, int squares) {
 
 FilteredTexture FilterOptions::load_floor() const {
   const bool made = floor_file == "checkers";
-  return texture_of(made ? checkers_image(1024, 32) : load_noted(floor_file, declared), *this,
-                    wrap);
+  return texture_of(made ? checkers_image(1024, 32)
+                         : load_noted(floor_file, declared, nullptr, Pyramid::later_bytes),
+                    *this, wrap);
 }
 
 FilteredTexture FilterOptions::load_globe(TextureFile& file) const {
-  return texture_of(file.load(), *this, Wrap::spherical);
+  return texture_of(file.load(Pyramid::later_bytes), *this, Wrap::spherical);
 }
 
 void PhongOptions::declare(Offer& offer) {

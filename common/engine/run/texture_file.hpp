@@ -16,12 +16,10 @@ struct TextureFile {
   const char* option = "--texture";
 
   void declare(Offer& offer);
-  /// The picture. The second call keeps it for those that follow: a turn reads the file twice,
-  /// and a single picture has no copy. Errors: FileError with the file and where it was looked for.
-  [[nodiscard]] Image load();
+  /// The picture, read once. Errors: FileError with the file and where it was looked for.
+  [[nodiscard]] SharedImage load(int later_bytes = 0);
 
-  Image kept{};                           ///< by load()
-  bool loaded = false;                    ///< load() was called
+  SharedImage kept{};                     ///< by load()
   const CommandLine* declared = nullptr;  ///< where
 };
 

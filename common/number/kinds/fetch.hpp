@@ -123,12 +123,21 @@ struct FourOf<double> {
 template <class Real>
 using LaneFour = typename FourOf<Scalar<Real>>::Type;
 
+/// Three floats in one register, which may have a fourth.
+template <class Real>
+[[nodiscard]] inline LaneFour<Real> channels_of(__m128 channels) {
+  if constexpr (std::is_same_v<Scalar<Real>, float>) return channels;
+  if constexpr (std::is_same_v<Scalar<Real>, double>) return _mm256_cvtps_pd(channels);
+}
 /// Three floats that follow each other; it reads no fourth.
 template <class Real>
 [[nodiscard]] inline LaneFour<Real> channels_at(const float* first) {
-  const __m128 channels = _mm_maskload_ps(first, _mm_setr_epi32(-1, -1, -1, 0));
-  if constexpr (std::is_same_v<Scalar<Real>, float>) return channels;
-  if constexpr (std::is_same_v<Scalar<Real>, double>) return _mm256_cvtps_pd(channels);
+  return channels_of<Real>(_mm_maskload_ps(first, _mm_setr_epi32(-1, -1, -1, 0)));
+}
+/// Three floats.
+template <class Real>
+[[nodiscard]] inline LaneFour<Real> channels_of(float r, float g, float b) {
+  return channels_of<Real>(_mm_setr_ps(r, g, b, 0));
 }
 /// The same number four times.
 template <class Real>

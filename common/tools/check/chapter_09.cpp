@@ -293,7 +293,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "together?",
         [] {
           const auto lesson = prepared<Lesson>({"--scene", "plane"});
-          return double(lesson.ground.texture.pyramid.texels.size());
+          return double(lesson.ground.texture.pyramid.texels());
         },
         {"texels", 1e-3},
         "Each level has half as many columns and half as many rows. How many texels is that?",

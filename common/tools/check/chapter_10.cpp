@@ -40,15 +40,12 @@ struct ProjectionOptions : texmap::ProjectionOptions {
     constexpr double middle = 0.5 + 1.0 / 512;  // 600 of these are on no edge of 2048 texels
     const ImageTexture earth{file.load()};
     const bool square = on_round_map || on_half_octahedron;
-    ImageTexture made{
-        Image(600, square ? 600 : static_cast<int>(600 / facts_of(on_globe()).aspect))};
-    for (int i = 0; i < 600 * made.image.height; ++i) {
-      const int column = i % 600, row = i / 600;
-      const Uv<double> uv{(column + middle) / 600, 1 - (row + middle) / made.image.height};
+    const int height = square ? 600 : static_cast<int>(600 / facts_of(on_globe()).aspect);
+    return {image_of(600, height, [&](int column, int row) {
+      const Uv<double> uv{(column + middle) / 600, 1 - (row + middle) / height};
       const Rgb color = earth(uv_rtiow(direction_at(on_globe(), uv)));
-      made.image.at(column, row) = {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
-    }
-    return made;
+      return Rgb8{byte_of(color.r), byte_of(color.g), byte_of(color.b)};
+    })};
   }
 };
 

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
   throw FileError("this page does not have it");
 }
 
-Image load_image(const std::filesystem::path& path, std::string* note, LightImage* deep) {
+Image load_image(const std::filesystem::path& path, std::string* note, DeepImage* deep, int) {
   const auto kept = pictures.find(name_of(path));
   if (kept != pictures.end()) {
     if (note != nullptr) *note = kept->second.note;

@@ -55,7 +55,7 @@ TEST_CASE("a smooth picture in each layout is the equirectangular one converted,
 }
 
 TEST_CASE("light is the same on both sides of every seam, even of noise") {
-  const auto apart_at = [](const LightImage& image, Projection projection, const Vec3<double>& p,
+  const auto apart_at = [](const SharedLight& image, Projection projection, const Vec3<double>& p,
                            const Vec3<double>& across) {
     const double step = 1e-9;
     const Color<double> a = light_at(image, projection, project(projection, p + across * step));
@@ -63,9 +63,9 @@ TEST_CASE("light is the same on both sides of every seam, even of noise") {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
   };
   double worst = 0;
-  const LightImage cube = light_of(noise(48, 32, 2), TexelLight::linear);
-  const LightImage square_image = light_of(noise(32, 32, 3), TexelLight::linear);
-  const LightImage wide = light_of(noise(64, 32, 4), TexelLight::linear);
+  const SharedLight cube(noise(48, 32, 2), TexelLight::linear);
+  const SharedLight square_image(noise(32, 32, 3), TexelLight::linear);
+  const SharedLight wide(noise(64, 32, 4), TexelLight::linear);
   for (int i = 0; i < 2000; ++i) {
     const double t = -1 + 2 * (i + 0.5) / 2000;
     for (const double one : {-1.0, 1.0}) {
@@ -91,6 +91,20 @@ TEST_CASE("light is the same on both sides of every seam, even of noise") {
   const Color<double> left = light_at(wide, Projection::plane, {0.0, 0.5});
   const Color<double> right = light_at(wide, Projection::plane, {1 - 1e-9, 0.5});
   CHECK(std::abs(left.r - right.r) > 0.01);
+}
+
+TEST_CASE("where a plane's disk ends, none of the black around it is mixed in") {
+  const Image white(64, 32, {255, 255, 255});
+  const SharedLight disk(
+      convert_projection(white, Projection::equirect, Projection::plane, {256, 256}),
+      TexelLight::linear);
+  double darkest = 1;
+  for (int i = 0; i < 5000; ++i) {
+    const double turn = 2 * static_cast<double>(pi_digits) * i / 5000;
+    const Uv<double> rim = project(Projection::plane, {std::cos(turn), 0.0, std::sin(turn)});
+    darkest = std::min(darkest, light_at(disk, Projection::plane, rim).g);
+  }
+  CHECK(darkest == 1);
 }
 
 TEST_CASE("converted pictures have as many texels for the sphere, and a cube whole faces") {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -85,6 +86,19 @@ TEST_CASE("an error names the thing that is wrong") {
     CAPTURE(row.first);
     INFO("said: ", said);
     CHECK(said.find(row.second) != std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "a picture whose textures would take more memory than there is is refused, with a remedy") {
+  for (const std::string file : {"png_rgb8_1x257.png", "jpg_420.jpg"}) {
+    CHECK_NOTHROW(static_cast<void>(load_image(corpus + file, nullptr, nullptr, 12)));
+    const std::string said = image_error_of(
+        [&] { static_cast<void>(load_image(corpus + file, nullptr, nullptr, 2'000'000'000)); });
+    INFO(said);
+    CHECK(std::regex_match(said, std::regex("cannot load texture '.*': it would take \\d+ MiB of "
+                                            "memory, and \\d+ MiB are free; half as wide and high "
+                                            "it takes a quarter")));
   }
 }
 
