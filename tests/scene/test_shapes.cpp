@@ -72,58 +72,74 @@ TEST_CASE("a cylinder is met first where a finer number meets it, within the sta
   int met = 0;
   for (int i = 0; i < 40000; ++i) {
     const double far = static_cast<double>(dice.power_of_ten(0, 2));
-    const Cylinder can{.center = point_within(dice, 1), .radius = 1, .half_height = 0.75};
-    const Vec3d origin = point_within(dice, far);
-    const Ray<double> ray{origin, normalize(can.center + point_within(dice, 1.2) - origin)};
+    const double size = dice.once_in(2) ? 1 : 100;
+    const Cylinder can{point_within(dice, size), size, 0.75 * size};
+    const Vec3d origin = point_within(dice, far * size);
+    const Ray<double> ray{origin, normalize(can.center + point_within(dice, 1.2 * size) - origin)};
     // The plain quadratic, whose roots are tried one by one.
     const auto o = number_cast<long double>(ray.origin) - number_cast<long double>(can.center);
     const auto d = number_cast<long double>(ray.direction);
     const long double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z;
-    const long double c = o.x * o.x + o.z * o.z - 1, rest = b * b - a * c;
+    const long double c = o.x * o.x + o.z * o.z - size * size, rest = b * b - a * c;
     auto expected = infinity<long double>();
     for (const long double sign : {1.0L, -1.0L}) {
       const long double t = (-b + sign * std::sqrt(rest)) / a;
-      if (t > 0 && std::abs(o.y + t * d.y) <= 0.75L && t < expected) expected = t;
+      if (t > 0 && std::abs(o.y + t * d.y) <= 0.75L * size && t < expected) expected = t;
     }
     const double distance = distance_to(can, ray);
-    const long double edge = std::abs(std::abs(o.y + expected * d.y) - 0.75L);
-    const long double off_axis = 1 - rest / a;  // squared
-    if (off_axis > 0.998L || edge < 1e-9L || std::abs(c) < 1e-9L) continue;
+    const long double edge = std::abs(std::abs(o.y + expected * d.y) - 0.75L * size) / size;
+    const long double off_axis = 1 - rest / a / (size * size);  // squared
+    if (off_axis > 0.998L || edge < 1e-9L || std::abs(c) < 1e-9L * size) continue;
     REQUIRE((distance < infinity<double>()) == (expected < infinity<long double>()));
     if (expected == infinity<long double>()) continue;
     ++met;
-    const double lengths = length(origin) + length(can.center) + 1;
+    const double lengths = length(origin) + length(can.center) + size;
     REQUIRE(std::abs(distance - static_cast<double>(expected)) <= 1e-14 * lengths);
     const Hit<double> hit = hit_at(can, ray, distance);
     const Vec3d off = hit.point - can.center;
-    REQUIRE(std::abs(std::hypot(off.x, off.z) - 1) <= 4 * u * (largest(hit.point) + 1));
+    REQUIRE(std::abs(std::hypot(off.x, off.z) - size) <= 4 * u * (largest(hit.point) + size));
     REQUIRE(dot(hit.normal, ray.direction) <= 0);
-    REQUIRE(distance_to(can, Ray<double>{hit.outside, hit.normal}) > 1);  // not where it starts
+    REQUIRE(distance_to(can, Ray<double>{hit.outside, hit.normal}) > size);  // not where it starts
   }
   CHECK(met > 5000);
 }
 
-TEST_CASE("a rectangle is met where a finer number meets its plane, within the stated bound") {
+TEST_CASE("a rectangle is met where a finer number meets it, within the stated bound, and left") {
   Dice dice(12);
   int met = 0;
   for (int i = 0; i < 40000; ++i) {
-    const double far = static_cast<double>(dice.power_of_ten(0, 2));
+    const auto any_size = [&dice] { return static_cast<double>(dice.power_of_ten(0, 2)); };
     const auto right = dice.direction<long double>();
-    const Rectangle frame{.center = point_within(dice, 1),
-                          .right = number_cast<double>(right),
-                          .up = number_cast<double>(dice.across(right))};
-    const Vec3d origin = point_within(dice, far);
-    const Ray<double> ray{origin, normalize(frame.center + point_within(dice, 1) - origin)};
+    const double half_width = any_size(), half_height = any_size();
+    const Rectangle frame{.center = point_within(dice, any_size()),
+                          .right = number_cast<double>(right) * half_width,
+                          .up = number_cast<double>(dice.across(right)) * half_height};
+    const Vec3d origin = point_within(dice, any_size());
+    const Vec3d aim = frame.center + frame.right * static_cast<double>(dice.uniform(-1.2L, 1.2L)) +
+                      frame.up * static_cast<double>(dice.uniform(-1.2L, 1.2L));
+    const Ray<double> ray{origin, normalize(aim - origin)};
     const double distance = distance_to(frame, ray);
     const auto normal =
         cross(number_cast<long double>(frame.right), number_cast<long double>(frame.up));
     const long double slant = dot(normal, number_cast<long double>(ray.direction));
-    if (distance == infinity<double>() || std::abs(slant) < 0.0175L) continue;
-    ++met;
+    if (std::abs(slant) < 0.0175L * length(normal)) continue;
     const auto to_center =
         number_cast<long double>(frame.center) - number_cast<long double>(origin);
-    const auto expected = static_cast<double>(dot(normal, to_center) / slant);
-    REQUIRE(std::abs(distance - expected) <= 1e-14 * (length(origin) + length(frame.center) + 2));
+    const long double expected = dot(normal, to_center) / slant;
+    const auto off = number_cast<long double>(ray.direction) * expected - to_center;
+    const auto part_of = [&](const Vec3d& half) {
+      const auto exact = number_cast<long double>(half);
+      return std::abs(dot(off, exact) / dot(exact, exact));
+    };
+    const long double outward = std::max(part_of(frame.right), part_of(frame.up)) - 1;
+    if (std::abs(outward) < 1e-9L) continue;
+    REQUIRE((distance < infinity<double>()) == (outward < 0));
+    if (outward > 0) continue;
+    ++met;
+    const double lengths = length(origin) + length(frame.center) + half_width + half_height;
+    REQUIRE(std::abs(distance - static_cast<double>(expected)) <= 1e-14 * lengths);
+    const auto outside = number_cast<long double>(hit_at(frame, ray, distance).outside);
+    REQUIRE(dot(outside - number_cast<long double>(frame.center), normal) * slant < 0);
   }
   CHECK(met > 5000);
 }

@@ -101,7 +101,8 @@ TEST_CASE("where a plane's disk ends, none of the black around it is mixed in") 
   double darkest = 1;
   for (int i = 0; i < 5000; ++i) {
     const double turn = 2 * static_cast<double>(pi_digits) * i / 5000;
-    const Uv<double> rim = project(Projection::plane, {std::cos(turn), 0.0, std::sin(turn)});
+    const Vec3<double> level{std::cos(turn), 0, std::sin(turn)};
+    const Uv<double> rim = project(Projection::plane, level);
     darkest = std::min(darkest, light_at(disk, Projection::plane, rim).g);
   }
   CHECK(darkest == 1);
