@@ -28,7 +28,12 @@ Gloss<T> draw_gloss(Dice& dice) {
     const long double angle = dice.power_of_ten(-12, 0.2L);
     to_eye = mirrored * std::cos(angle) + dice.across(mirrored) * std::sin(angle);
   }
-  return {number_cast<T>(normal), number_cast<T>(to_light), number_cast<T>(to_eye)};
+  // As long as hit_at, normalize and ray_through may leave them.
+  const auto nearly_unit = [&dice](const Vec3<long double>& v, long double most) {
+    const auto off = most * static_cast<long double>(unit_roundoff<T>());
+    return number_cast<T>(v * (1 + dice.uniform(-off, off)));
+  };
+  return {nearly_unit(normal, 3), nearly_unit(to_light, 3.5L), nearly_unit(to_eye, 5)};
 }
 
 template <class Real>
@@ -200,13 +205,14 @@ Family claims_of_shading() {
   Family family{"Light, colors and the camera",
                 "Exact: the same geometry with exactly normalized vectors in 50 digits, the "
                 "highlight as the power of its cosine. The last rows are the lecture's forms."};
-  const std::string unit_vectors = "vectors of unit length but for rounding; shininess ";
+  const std::string unit_vectors =
+      "vectors 1 long within 4 u (normal), 4.5 u (light) and 6 u (eye); shininess ";
   const Bound in_range{0, "outside [0, specular]"};
   for_each_number([&]<class Real>() {
-    family.add<Real>("highlight", unit_vectors + "1 to 1e18", {12, "u sqrt(1 + shininess)"},
+    family.add<Real>("highlight", unit_vectors + "1 to 1e18", {28, "u sqrt(1 + shininess)"},
                      worst_highlight<Real>(End::smooth));
     family.add<Real>("highlight, below 1", unit_vectors + "0.001 to 1, to a cosine of 0.1",
-                     {24, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::steep));
+                     {56, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::steep));
     family.add<Real>("highlight, range", unit_vectors + "0 to 1e30", in_range,
                      count_wrong_highlights<Real>(HighlightFormula::phong));
     family.add<Real>("mix", "ends 1e-30 to 1e30, t in [0, 1]", {2, "u of the larger end"},
