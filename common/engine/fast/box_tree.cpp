@@ -95,7 +95,15 @@ class Builder {
                            [&](const Group& a, const Group& b) { return cost(a) < cost(b); });
       if (cost(*largest) < 0) break;
       const Group cut = *largest;
-      const int middle = depth < deepest ? place_to_cut(cut) : (cut.first + cut.end) / 2;
+      int middle = depth < deepest ? place_to_cut(cut) : (cut.first + cut.end) / 2;
+      if (middle == cut.first) {  // all are at one place
+        const int end = end_without_copies(cut);
+        if (end < cut.end) {
+          *largest = group_of(cut.first, end);
+          continue;
+        }
+        middle = (cut.first + cut.end) / 2;
+      }
       *largest = group_of(cut.first, middle);
       groups.push_back(group_of(middle, cut.end));
     }
@@ -140,7 +148,34 @@ class Builder {
     return {place, group.size()};
   }
 
-  // Sorts the triangles of a group into two; gives the place where the second begins.
+  // Keeps two of the triangles with the same corners in the same order, those with the smallest
+  // numbers: a ray meets the first, and in a shadow of its own it meets the second. Gives the new
+  // end.
+  int end_without_copies(const Group& group) {
+    const auto begin = triangles_.begin() + group.first;
+    const auto end = triangles_.begin() + group.end;
+    const auto corners = [&](const Numbered& each) {
+      std::array<double, 9> all{};
+      for (std::size_t k = 0; k < 9; k += 3) {
+        const Point& p = mesh_.corner(each.triangle, static_cast<int>(k / 3));
+        all[k] = p.x;
+        all[k + 1] = p.y;
+        all[k + 2] = p.z;
+      }
+      return all;
+    };
+    std::sort(begin, end, [&](const Numbered& a, const Numbered& b) {
+      return std::pair(corners(a), a.triangle) < std::pair(corners(b), b.triangle);
+    });
+    auto kept = begin;
+    for (auto each = begin; each != end; ++each) {
+      if (kept - begin < 2 || corners(*(kept - 2)) != corners(*each)) *kept++ = *each;
+    }
+    return static_cast<int>(kept - triangles_.begin());
+  }
+
+  // Sorts the triangles of a group into two; gives the place where the second begins: that of the
+  // group if all are at one place.
   int place_to_cut(const Group& group) {
     const auto bins = std::min(most_bins, static_cast<std::size_t>(group.size()));
     const auto begin = triangles_.begin() + group.first;
@@ -195,7 +230,7 @@ class Builder {
         best_bin = bin;
       }
     }
-    if (best_bin == 0) return (group.first + group.end) / 2;  // all are at one place
+    if (best_bin == 0) return group.first;  // all are at one place
     const auto middle = std::partition(
         begin, end, [&](const Bounds& each) { return bin_of(each, best_axis) < best_bin; });
     return static_cast<int>(middle - triangles_.begin());
