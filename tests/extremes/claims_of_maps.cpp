@@ -13,7 +13,7 @@
 namespace texmap::extremes {
 namespace {
 
-/// A direction, often 1e-12 to 0.1 radians from a pole or an axis, or on an edge of a face.
+/// A direction, often 1e-12 to 0.1 radians from a pole or an axis, or on or near an edge of a face.
 template <class T>
 Vec3<T> any_direction(Dice& dice) {
   Vec3<long double> p = dice.direction();
@@ -23,6 +23,8 @@ Vec3<T> any_direction(Dice& dice) {
     if (dice.once_in(2)) p = {p.y, p.x, p.z};
   }
   if (dice.once_in(8)) p.z = dice.once_in(2) ? p.x : 0;
+  if (dice.once_in(8))
+    (dice.once_in(2) ? p.y : p.z) = p.x * (1 + dice.sign() * dice.power_of_ten(-20, -1));
   return number_cast<T>(p * (1 / std::sqrt(dot(p, p))));
 }
 
