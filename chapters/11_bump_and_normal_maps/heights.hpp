@@ -47,7 +47,15 @@ struct GlobeBumps : Bumps<Height> {
   }
   if (options.height == HeightKind::uv) bumps.height = Mapped<GlobeMapping, UvWaves>{mapping, {}};
   if (options.height == HeightKind::image) {
-    bumps.height = Mapped<GlobeMapping, SmoothTexture>{mapping, {options.load(), v_axis}};
+    const SharedLight heights = options.load();
+    SmoothTexture texture{.image = {}, .v_axis = v_axis};
+    if (heights.size() > std::size_t{1} << 22) {
+      texture.large = heights;
+    } else {  // as floats, which are read faster
+      texture.image = image_of(heights.width, heights.height,
+                               [&](int column, int row) { return heights.at(column, row); });
+    }
+    bumps.height = Mapped<GlobeMapping, SmoothTexture>{mapping, texture};
   }
   options.apply_to(bumps);
   return bumps;

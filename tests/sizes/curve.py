@@ -6,12 +6,14 @@ usage: curve.py BIN [--write]    BIN holds the chapters' programs. Prints a tabl
 """
 import pathlib
 import re
-import struct
 import subprocess
 import sys
 import tempfile
 import time
-import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / 'common/tools/grade'))
+from pictures import png  # noqa: E402
 
 WAYS = {  # the table's columns
     '03': ['03_image_texture', '--texture'],
@@ -20,20 +22,6 @@ WAYS = {  # the table's columns
     '10 `--projection cube`': ['10_projections', '--projection', 'cube', '--texture'],
     '11 `--relief-image`': ['11_bump_and_normal_maps', '--relief-image'],
 }
-
-
-def save_png(path, width, height):
-    """Ramps: a small file, so that the table shows what the texels take."""
-    def chunk(name, data):
-        sum_of_both = zlib.crc32(name + data)
-        return struct.pack('>I', len(data)) + name + data + struct.pack('>I', sum_of_both)
-
-    ramp = bytes(x // 3 * 255 // width for x in range(3 * width))
-    packer = zlib.compressobj(1)
-    rows = b''.join(packer.compress(b'\0' + ramp) for _ in range(height)) + packer.flush()
-    header = struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)
-    parts = chunk(b'IHDR', header) + chunk(b'IDAT', rows) + chunk(b'IEND', b'')
-    path.write_bytes(b'\x89PNG\r\n\x1a\n' + parts)
 
 
 def peak(command):
@@ -56,7 +44,8 @@ def main():
         small = ['--width', '64', '--height', '48', '--quiet', '--out', out]
         for power in range(16, 28):
             texels, width = 1 << power, 1 << (power + 1) // 2
-            save_png(texture, width, texels // width)
+            ramps = bytes(i // 3 * 255 // width for i in range(3 * width)) * (texels // width)
+            texture.write_bytes(png(width, texels // width, ramps))  # a small file
             line = f'| 2^{power} |'
             for program, *options in WAYS.values():
                 most = peak([pathlib.Path(sys.argv[1], program), *options, texture, *small])
@@ -64,8 +53,7 @@ def main():
             lines.append(line)
             print(line, flush=True)
     if '--write' in sys.argv:
-        root = pathlib.Path(__file__).resolve().parents[2]
-        for page in (root / 'docs/measurements.md', root / 'tests/bench/groups.txt'):
+        for page in (ROOT / 'docs/measurements.md', ROOT / 'tests/bench/groups.txt'):
             table = '\n'.join(lines) + '\n'
             page.write_text(re.sub(r'\| texels .*\n(\|.*\n)*', lambda _: table, page.read_text()))
 
