@@ -4,6 +4,8 @@
 #include "09_texture_filtering/comparison.hpp"
 #include "09_texture_filtering/ideal.hpp"
 #include "09_texture_filtering/lesson.hpp"
+#include "engine/files/find_texture.hpp"
+#include "engine/files/load_image.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/same_picture.hpp"
 #include "support/shown_values.hpp"

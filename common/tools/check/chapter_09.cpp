@@ -293,7 +293,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "together?",
         [] {
           const auto lesson = prepared<Lesson>({"--scene", "plane"});
-          return double(lesson.ground.texture.pyramid.texels());
+          const Pyramid& pyramid = lesson.ground.texture.pyramid;
+          return double(pyramid.original.size() + pyramid.smaller.pixels.size());
         },
         {"texels", 1e-3},
         "Each level has half as many columns and half as many rows. How many texels is that?",
