@@ -135,7 +135,8 @@ std::vector<slips::StageView> stages_of(const Choices& choices, const Image& min
         slips::StageView stage = on_stage.view(on_stage.name, choices.texture);
         if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height)
           continue;
-        if (choices.texture.empty() ? slips::draws(stage, one.picture) : stage.picture != nullptr)
+        if (choices.texture.empty() ? slips::draws(stage, one.picture)
+                                    : !stage.picture.pixels.empty())
           stages.push_back(std::move(stage));
       }
     }

@@ -536,7 +536,7 @@ class Search {
       for (int place = first; place < end; ++place)
         names_[static_cast<std::size_t>(place)].resize(1);
     };
-    if (stage.picture == nullptr) leave_out(texel, squares);
+    if (stage.picture.pixels.empty()) leave_out(texel, squares);
     if (std::ranges::none_of(stage.pixels, [](const Seen& seen) { return seen.lit.has_value(); }))
       leave_out(0, bytes);
     for (const Seen& seen : right.pixels) {
@@ -815,7 +815,7 @@ class Search {
     return odd ? board.odd : board.even;
   }
   [[nodiscard]] Rgb in_picture(const Way& way, const Uv<double>& uv) const {
-    const Image& image = *stage_.picture;
+    const Image& image = stage_.picture;
     const Uv<double> from = of_texel[way.row[texel]].calculate(uv, image.width, image.height);
     const auto inside = [](double x, int n) {  // NaN gives 0
       return x > 0 ? static_cast<int>(std::min(x, n - 1.0)) : 0;
@@ -836,7 +836,7 @@ class Search {
       way.on_squares = on_squares;
       const bool moves =
           std::any_of(way.row.begin(), way.row.begin() + texel, [](int r) { return r != 0; });
-      if (!on_squares && (!moves || stage_.picture == nullptr)) return;
+      if (!on_squares && (!moves || stage_.picture.pixels.empty())) return;
       if (fit == Fit::factors) {
         way.material = fitted(way);
         if (explains(way)) return found.push_back(way);
@@ -1007,12 +1007,12 @@ bool has_other_colors(const Image& drawn, const StageView& stage) {
   const auto place_of = [&](const Rgb& c, int r, int g, int b) {
     return (step_of(c.r, r) * steps + step_of(c.g, g)) * steps + step_of(c.b, b);
   };
-  if (stage.picture == nullptr) return false;
-  for (const Rgb8& texel : stage.picture->pixels) ++times[place_of(color_of(texel), 0, 0, 0)];
+  if (stage.picture.pixels.empty()) return false;
+  for (const Rgb8& texel : stage.picture.pixels) ++times[place_of(color_of(texel), 0, 0, 0)];
   const auto is_rare = [&](const Rgb& c) {
     std::size_t near = 0;
     for (int i = 0; i < 27; ++i) near += times[place_of(c, i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)];
-    return near * 1000 < stage.picture->pixels.size();
+    return near * 1000 < stage.picture.pixels.size();
   };
   long around = 0, around_wrong = 0, lit = 0, unlike = 0, impossible = 0;
   for (const Seen& seen : stage.pixels) {

@@ -68,7 +68,7 @@ struct StageView {
   std::string chapter;  ///< its folder
   int width = 800, height = 600;
   std::vector<Seen> pixels{};
-  std::shared_ptr<const Image> picture{};  ///< of the texture; null if there is none
+  SharedImage picture{};  ///< of the texture; empty if there is none
   Checkerboard checkers{};
   RotationY turn{};  ///< of the directions that the mapping is given
   GradientSky sky{};
@@ -110,8 +110,7 @@ concept OfTheStage = HasStageLight<Lesson> && requires(const Lesson& lesson) {
 template <OfTheStage Lesson>
 [[nodiscard]] StageView view_stage(std::string_view chapter, const Lesson& lesson,
                                    const View<>& view, int every = lattice,
-                                   const Tracing& tracing = {},
-                                   const std::shared_ptr<const Image>& picture = nullptr) {
+                                   const Tracing& tracing = {}, const SharedImage& picture = {}) {
   StageView stage{.chapter = std::string(chapter), .picture = picture, .sky = lesson.stage.sky};
   for (int row = 1; row < stage.height; row += every) {
     for (int column = 1; column < stage.width; column += every) {
@@ -141,8 +140,7 @@ template <OfTheStage Lesson>
             stage.checkers = paint.texture;
           } else if constexpr (requires { paint.texture.image; }) {
             seen.mapped = true;
-            if (stage.picture == nullptr)
-              stage.picture = std::make_shared<const Image>(paint.texture.image);
+            stage.picture = paint.texture.image;
           }
         };
         visit_paint(object.paint, keep_paint);

@@ -151,7 +151,7 @@ struct Golden {
   std::filesystem::path path;
   std::vector<std::uint8_t> file;
   Image picture;
-  std::map<std::vector<std::uint8_t>, std::string> answers = {};
+  std::map<std::string, std::string> answers = {};  // by the file's bytes
 };
 
 Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden, KnownWords& known) {
@@ -233,9 +233,10 @@ class Judge {
         answer.right = answer.measured = true;
         return answer.json();
       }
-      if (golden.answers.size() == most_answers && !golden.answers.contains(file))
+      const std::string key(file.begin(), file.end());
+      if (golden.answers.size() == most_answers && !golden.answers.contains(key))
         golden.answers.clear();
-      std::string& known = golden.answers[file];
+      std::string& known = golden.answers[key];
       if (known.empty()) known = compare(file, golden, words_).json();
       return known;
     } catch (const std::exception& error) {
