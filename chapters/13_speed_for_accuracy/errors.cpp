@@ -3,7 +3,7 @@
 //
 // Places. The ray through a pixel has 6 unit roundoffs u of its direction (docs/numbers.md), which
 // are 6 u distance / radius at the globe, and the eye's own rounding is 1 of these; the robust form
-// misjudges a ray as if it passed (5 + 1.2 distance / radius) u elsewhere. From 3 radii away or more
+// misjudges a ray as if it passed (5 + 1.2 distance / radius) u elsewhere. From 3 radii away on
 // that is at most 3 u distance / radius: 10 together.
 // A ray that passes `a` radii elsewhere meets the globe a / cosine radians elsewhere, and 4.5 u are
 // the normal's own.
