@@ -107,16 +107,14 @@ constexpr Place<Vec3d, Vec3d, bool, bool> uv_in_places[] = {
 /// The globe with the lecture's picture, whose columns the student moves.
 Image globe_of_columns() {
   Lesson lesson = daily_lesson("earth.png");
-  Image& made = std::get<Textured>(lesson.objects[middle].paint).texture.wrapped.texture.image;
-  const Image earth = made;
-  for (int column = 0; column < made.width; ++column) {
-    const int old = old_column(column, made.width);
-    for (int row = 0; row < made.height; ++row) {
-      made.at(column, row) = old < 0 || old >= made.width
-                                 ? Rgb8{255, 0, 255}
-                                 : earth.at((old + made.width / 4) % made.width, row);
-    }
-  }
+  SharedImage& texels =
+      std::get<Textured>(lesson.objects[middle].paint).texture.wrapped.texture.image;
+  const SharedImage earth = texels;
+  texels = image_of(earth.width, earth.height, [&](int column, int row) {
+    const int old = old_column(column, earth.width);
+    if (old < 0 || old >= earth.width) return Rgb8{255, 0, 255};
+    return earth.at((old + earth.width / 4) % earth.width, row);
+  });
   return picture_of(lesson, 18);
 }
 

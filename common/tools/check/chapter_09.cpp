@@ -1,5 +1,7 @@
 // The exercises of chapter 09. The lesson's FilteredTexture is here a struct that calls the
 // student's function where it reads the floor.
+#include <utility>
+
 #include "09_texture_filtering/sheet.hpp"
 #include "engine/run/filter_options.hpp"
 #include "exercises.hpp"
@@ -12,7 +14,8 @@ static std::function<Rgb(const std::vector<Rgb>&, double, double)> color_at_time
 static std::function<double(Uv<double>, Uv<double>, Uv<double>, int, int)> level_for;
 
 struct FilteredTexture : texmap::FilteredTexture {
-  using texmap::FilteredTexture::operator=;
+  FilteredTexture(texmap::FilteredTexture loaded = {})
+      : texmap::FilteredTexture(std::move(loaded)) {}
 
   Rgb operator()(const Uv<double>& uv) const {
     const bool floor = wrap == Wrap::repeat;  // the globes' is spherical
