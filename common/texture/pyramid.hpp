@@ -132,10 +132,11 @@ void append_half(std::vector<Color<float>>& to, int width, int height, const Lig
     const PyramidLevel<int>& from = pyramid.levels[static_cast<std::size_t>(level)];
     const Color<float>* const first =
         to.data() + pyramid.row_starts[static_cast<std::size_t>(from.first_row)];
-    if (level == 0)
+    if (level == 0) {
       append_half(to, from.width, from.height, [&](std::size_t i) { return image[i]; });
-    else
+    } else {
       append_half(to, from.width, from.height, [first](std::size_t i) { return first[i]; });
+    }
   }
   pyramid.original = std::move(image);
   pyramid.smaller = std::move(smaller);
