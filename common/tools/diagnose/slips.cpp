@@ -430,6 +430,12 @@ constexpr Bytes of_bytes[] = {
      [](const Rgb& c) {
        return bytes_of_color({c.b, c.r, c.g});
      }},
+    {{"black: nothing was drawn", "the color of each ray in its pixel"},
+     [](const Rgb&) { return Rgb8{}; }},
+    {{"white: every channel of every pixel is 255", "`byte / 255.0` or `255 * channel`, once"},
+     [](const Rgb&) {
+       return Rgb8{255, 255, 255};
+     }},
     {{"inverted: each channel is 255 minus what it should be", "`255 * channel`"},
      [](const Rgb& c) {
        const auto inverse = [](double x) { return static_cast<std::uint8_t>(255 - byte_of(x)); };

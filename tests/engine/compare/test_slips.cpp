@@ -194,6 +194,7 @@ TEST_CASE("the words for grading: of slips, of the whole picture, and none that 
   CHECK(of(drawn_with({.acne = true})) == "full of dark dots");
   CHECK(of(test::mirrored(right.picture)) == "the whole picture is mirrored");
   CHECK(of(test::noise(800, 600, 3)).empty());
+  CHECK(of(Image(800, 600)) == "black");
   // A chapter that is not known, and a lesson that draws another picture than the right one.
   CHECK(words.of(drawn_with({.shadows = false}), {"99_other", "", right.picture}).empty());
   CHECK(words.of(right.picture, {"03_image_texture", "", drawn_with({.ambient = 0})}).empty());
