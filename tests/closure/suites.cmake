@@ -30,10 +30,10 @@ add_closure(05_y_rotation 33 1950 ${moved} ${by_06})
 add_closure(06_phong_texture_blend 36 2100 ${moved} ${by_07})
 add_closure(07_earth_by_sampling 40 2400 ${moved})
 add_closure(08_triangle_uv 45 2800)
-add_closure(09_texture_filtering 47 3130)
+add_closure(09_texture_filtering 47 3260)
 add_closure(10_projections 45 2800 ${by_06})
-add_closure(11_bump_and_normal_maps 50 2990)
-add_closure(12_environment_map 45 2800)
+add_closure(11_bump_and_normal_maps 50 3090)
+add_closure(12_environment_map 45 2890)
 
 # The rooms of common/: a header that climbs is refused with its name and its room.
 add_check(layers "closure;reader" "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_SOURCE_DIR}/common" -P "${CMAKE_SOURCE_DIR}/common/layers.cmake")
