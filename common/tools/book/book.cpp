@@ -171,9 +171,10 @@ class Book {
         throw std::runtime_error(page.source + " does not begin with a title");
       const fs::path measured = out_ / (page.chapter + ".json");
       page.converted.html = with_sheet(list, page.chapter, page.converted.html);
-      if (fs::exists(measured))  // for page_13.js
+      if (fs::exists(measured)) {  // for page_13.js
         page.converted.html += "<script type=\"application/json\" id=\"measured\">" +
                                contents_of(measured) + "</script>\n";
+      }
     }
     check_names();
     for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
@@ -385,7 +386,7 @@ class Book {
       const std::string style = between(html.substr(at), begin, "\"");
       const auto [rule, is_new] = rules_.insert({style, rules_.size()});
       const std::string name = text("data-size=\"%zu\"", rule->second);
-      if (is_new) sizes_ += "[" + name + "] { " + style + "; }\n";
+      if (is_new) sizes_.append("[").append(name).append("] { ").append(style).append("; }\n");
       html.replace(at + 1, begin.size() + style.size(), name);
     }
     return html;

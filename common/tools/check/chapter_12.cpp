@@ -169,6 +169,7 @@ Image skies() {
     return rows;
   };
   std::vector<double> grounds;
+  grounds.reserve(12);
   for (int panel = 0; panel < 12; ++panel) grounds.push_back(light_of_ground(rows_of(panel)));
   return panels([&](int panel, double, double y) {
     const Rows rows = rows_of(panel);

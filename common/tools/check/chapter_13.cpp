@@ -54,7 +54,7 @@ Slips<int> wrong_ways(const Ways& ways, int width, double budget) {
       {"a wider texture has more texels to be off by: multiply by width / 2048",
        fastest(ways, budget * width / 2048)},
       {"width / 2048 divides whole numbers, and the rest is lost",
-       fastest(ways, budget / (width / 2048))},
+       fastest(ways, budget / static_cast<double>(width / 2048))},
       {"the budget is not used: this is the fastest of all", fastest(ways, infinity<double>())},
       {"of those that fit the fastest is wanted, and this is the most accurate",
        chosen(ways, fits, error)},

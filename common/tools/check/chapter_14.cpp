@@ -70,7 +70,7 @@ Image cans() {
   return panels([](int panel, double x, double y) {
     const double distance = 1.5 * pow(100000 / 1.5, panel / 11.);
     const double beside = 2.6 * (x - 0.5) + 0.1 * (y - 0.5);
-    const float fx = static_cast<float>(0.6 * distance), fz = static_cast<float>(0.8 * distance);
+    const auto fx = static_cast<float>(0.6 * distance), fz = static_cast<float>(0.8 * distance);
     const double to_x = 0.8 * beside - double(fx), to_z = -0.6 * beside - double(fz);
     const double way = std::hypot(to_x, to_z);
     const auto found = double(

@@ -149,6 +149,7 @@ std::vector<slips::StageView> stages_of(const Choices& choices, const Image& min
 std::string by_slips(const Choices& choices, const Image& mine,
                      const std::vector<slips::StageView>& stages) {
   std::vector<const slips::StageView*> all;
+  all.reserve(stages.size());
   for (const slips::StageView& stage : stages) all.push_back(&stage);
   const auto whys = explain_by_any(mine, all);
   if (whys.empty()) return "";
@@ -204,9 +205,10 @@ std::string but_for(const Choices& choices, const Image& mine, const WrongPictur
   const std::string pixels = text("%zu %s: ", stray.count, stray.count == 1 ? "pixel" : "pixels");
   std::string what = "pixels of other colors";
   if (stray.count > 1 &&
-      box * 100 < right.picture.width * static_cast<double>(right.picture.height))
+      box * 100 < right.picture.width * static_cast<double>(right.picture.height)) {
     what = text("something is painted over columns %d to %d, rows %d to %d", stray.left,
                 stray.right, stray.top, stray.bottom);
+  }
   if (stray.white * 10 >= stray.count * 9) what = "white dots: most likely a division by 0";
   if (stray.black * 10 >= stray.count * 9) {
     what =
@@ -349,9 +351,10 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
            "  judge it    if you took another texture: --texture FILE\n";
   }
   const WrongPicture& nearest = candidates.front();
-  if (found.empty() && least <= few)
+  if (found.empty() && least <= few) {
     return but_for(choices, mine, nearest, stray_pixels(mine, nearest.picture),
                    stages.empty() ? nullptr : stages.data());
+  }
   if (found.empty()) {
     found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
             nearest.name.substr(0, 2) + "'s:\n  where       ./course diff " + choices.file +

@@ -251,7 +251,7 @@ class Judge {
     const auto known = goldens_.find(path);
     if (known != goldens_.end()) return known->second;
     Golden golden = with_name("cannot load the golden picture", path_of(path), [&] {
-      const std::vector<std::uint8_t> file = read_file(path_of(path), max_file_bytes);
+      std::vector<std::uint8_t> file = read_file(path_of(path), max_file_bytes);
       Image picture = decode_image(file);
       return Golden{path_of(path), std::move(file), std::move(picture)};
     });
