@@ -145,7 +145,8 @@ Color<double> light_at(const SharedLight& image, Projection projection, const Uv
 
 Image convert_projection(const SharedImage& image, Projection from, Projection to,
                          const PictureSize& size, int threads) {
-  if (from == to && size == PictureSize{image.width, image.height}) return image;
+  if (from == to && size == PictureSize{image.width, image.height})
+    return static_cast<const Image&>(image);
   const SharedLight light(image, TexelLight::linear);
   Image result(size.width, size.height);
   for_each_row(size.height, threads, {}, [&](int row) {

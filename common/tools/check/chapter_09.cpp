@@ -175,11 +175,11 @@ Slips<Rgb> wrong_colors(const Frames& frames, double seconds, double time) {
 
 /// Each frame weighs 1 minus its distance in time, counted in frames, if that is less than 1.
 Rgb right_color(const Frames& frames, double seconds, double time) {
-  const double n = double(frames.size());
+  const auto n = double(frames.size());
   Rgb sum{};
-  for (double k = 0; k < n; ++k) {
-    const double away = n * abs(remainder((k + 0.5) / n - time / seconds, 1));
-    sum = sum + frames[std::size_t(k)] * max(0., 1 - away);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const double away = n * abs(remainder((double(k) + 0.5) / n - time / seconds, 1));
+    sum = sum + frames[k] * max(0., 1 - away);
   }
   return sum;
 }
