@@ -49,7 +49,7 @@ struct Rgb16 {
 };
 using DeepImage = Grid<Rgb16>;
 
-/// A picture whose copies share its pixels, which nobody changes.
+/// A picture that cannot be changed. Its copies share the pixels.
 template <class Pixel>
 class SharedGrid {
  public:

@@ -34,7 +34,10 @@ cat >course <<'END'
 #!/bin/sh
 mkdir -p build/learn/bin
 file=$(echo chapters/02_checkerboard_uv/exercises/"${3##*_}"_*.hpp)
-! grep -q SYNTAX "$file" 2>/dev/null || { echo "$5:1: error: what is SYNTAX? ${TEXMAP_VERBOSE:-$6}" >&2; exit "$4"; }
+! grep -q SYNTAX "$file" 2>/dev/null || {
+  echo "$5:1: error: what is SYNTAX? ${TEXMAP_VERBOSE:-$6}" >&2
+  exit "$4"
+}
 cat >"build/learn/bin/$3" <<PROGRAM
 #!/bin/sh
 if grep -q LOOP $file; then while :; do :; done; fi
@@ -88,7 +91,8 @@ expect "the list shows it" 0 "[x] 02.1  where on the map?
 echo "// one more line" >>"$first"
 expect "a change is seen" 0 "[?] 02.1"
 echo SYNTAX >>"$first"
-expect "a file that does not compile" 1 "$first:1: error: what is SYNTAX? ./course check 02.1 --verbose
+expect "a file that does not compile" 1 \
+  "$first:1: error: what is SYNTAX? ./course check 02.1 --verbose
 02.1  where on the map? does not compile" 02.1
 expect "the same with all that the compiler says" 1 "error: what is SYNTAX? 1
 02.1  where on the map? does not compile" 2.1 --verbose

@@ -34,14 +34,18 @@ cmp drawn_1.ppm drawn_2.ppm || fail "two programs should have drawn the same pic
 ! grep -E 'stb|doctest|xsimd|TEXMAP' build/CMakeCache.txt || fail "the course asks for packages or has options"
 
 # The course may be added twice, and no header needs exceptions.
-(cd course/common && for header in [mnpst]*[a-z]/*.hpp; do echo "#include \"$header\""; done | grep -v tools) >all.cpp
+(
+  cd course/common
+  for header in [mnpst]*[a-z]/*.hpp; do echo "#include \"$header\""; done | grep -v tools
+) >all.cpp
 cat >>CMakeLists.txt <<'END'
 add_subdirectory(course again)
 add_library(every_header OBJECT all.cpp)
 target_link_libraries(every_header PRIVATE texmap::textbook)
 target_compile_options(every_header PRIVATE -fno-exceptions)
 END
-{ cmake -B build && cmake --build build; } || fail "the course cannot be added twice, or a header needs exceptions"
+{ cmake -B build && cmake --build build; } ||
+  fail "the course cannot be added twice, or a header needs exceptions"
 
 # The tables of light are linked by who reads them, and by nobody else.
 [ -z "$(find build -name '*light_tables*.o*')" ] || fail "the tables of light were built"

@@ -140,7 +140,8 @@ Slips<Counted> wrong_counts(const std::vector<Met>& met, double sky) {
   };
 }
 
-/// Five disks, in each panel in another order, partly in a shadow; brighter where more is asked.
+/// Five disks, partly in a shadow. Their order differs from panel to panel. A pixel is brighter
+/// where the paint is asked more often.
 Image asked() {
   return panels([](int panel, double x, double y) {
     std::vector<Met> met;

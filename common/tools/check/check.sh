@@ -13,7 +13,7 @@ usage: ./course check                  all exercises, and how far you are
        ./course check 02.1             check one: words, a picture with your function, a page out/exercises/02.1/index.html
        ./course check 02.a 0.25        check your answer to a question; after the second wrong one it shows the right one; without a
                                        number it asks the question
-       ./course check 02.1 --verbose   the same, with all that the compiler says of a file that does not compile
+       ./course check 02.1 --verbose   the same, with all of the compiler's text
        ./course check hint 02.1        a hint; ask again for the next one
        ./course check solution 02.1    a solution
        ./course check reset 02.1       begin again; your lines are kept in out/exercises/02.1/

@@ -88,8 +88,9 @@ std::string card_in(const fs::path& root, const std::string& card, const std::st
     if (cells.size() < 4 || cells[3].find(link) == std::string::npos) continue;
     chapter = cells[3].substr(cells[3].find(link) + link.size(), 2);
     return "  change      " + (change.empty() ? cells[2] : change) +
-           "\n  the card    My Earth is … " + cells[0].substr(cells[0].rfind(ends) + ends.size()) +
-           "\n              " + place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
+           "\n  the card    My Earth is \u2026 " +
+           cells[0].substr(cells[0].rfind(ends) + ends.size()) + "\n              " +
+           place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
   }
   return "";
 }

@@ -708,8 +708,8 @@ class Search {
 
   /// Pixels that are not the right picture's.
   [[nodiscard]] long different() const { return different_; }
-  /// How many of these a way explains; -1 if it leaves more than 2 % of an object unexplained, or
-  /// if nobody knows what it draws at four in ten of them.
+  /// How many of these a way explains. It is -1 if more than 2 % of an object stay unexplained, or
+  /// if more than 40 % of these pixels are unknown.
   [[nodiscard]] long explained(const Way& way) const {
     long sum = 0, unknown = 0;
     auto left = seen_of_;
@@ -948,7 +948,7 @@ Explanation explain_by_view(const Image& drawn, const StageView& right, int more
     return (seen.column - 1) % (10 * lattice) != 0 || (seen.row - 1) % (10 * lattice) != 0;
   });
   const auto try_one = [&](const Slip& slip, const auto& view) {
-    // Where each is drawn anew, one that explains all is enough.
+    // Drawing takes long here, so the search ends with the first that explains all.
     if (right.drawn_before && best.explained > 0 && best.explained * 1000 >= best.different * 999)
       return;
     if (explain_changed(drawn, few, view(10 * lattice), more, more).explained == 0) return;

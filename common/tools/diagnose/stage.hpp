@@ -34,7 +34,7 @@ struct Seen {
   Vec3d direction{};    ///< that the mapping is given: the normal, turned where the lesson turns it
   bool mapped = false;  ///< by uv_rtiow of `direction`
   bool on_checkers = false;  ///< else the color is read in the picture
-  bool shines = false;       ///< in the highlight, which is judged like an object
+  bool shines = false;       ///< in the highlight: its pixels are counted apart
 };
 
 template <class... Paints, class Visit>

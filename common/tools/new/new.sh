@@ -72,7 +72,8 @@ TEST_CASE("only the objects that the lesson declares change from chapter $from")
 }
 TEXT
 else
-  echo "There is no test of its step: chapter $from has other objects than the stage. Write tests/chapters/test_$name.cpp."
+  echo "There is no test of its step: chapter $from has other objects than the stage." \
+    "Write tests/chapters/test_$name.cpp."
 fi
 sh common/tools/steps/steps.sh . --write >/dev/null || :
 cat <<TEXT
