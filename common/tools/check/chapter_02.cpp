@@ -211,7 +211,7 @@ Slips<Place2> wrong_bricks(Place2 uv, int squares) {
 
 /// The pattern is the same two squares further.
 Place2 within_two_squares(const Place2& uv, Place2 /*from*/, int squares) {
-  return {fraction(uv.u * squares / 2), uv.v};
+  return {fraction(uv.u * squares / 2) * 2 / squares, uv.v};
 }
 constexpr Place<Place2, int> as_bricks_places[] = {
     {"with 10 squares, (0.32, 0.05) is in row 0: it stays as it is", {{0.32, 0.05}, 10}},
