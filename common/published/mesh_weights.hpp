@@ -1,6 +1,7 @@
-// The triangle article's weights on a mesh, in place of the exact ones.
+// Weights on a mesh in place of the exact ones: the triangle article's, and the picture's.
 #pragma once
 #include "published/triangle.hpp"
+#include "scene/camera.hpp"
 #include "scene/mesh.hpp"
 
 namespace texmap::published {
@@ -17,6 +18,29 @@ template <class Real>
   hit.a = weights.a;
   hit.b = weights.b;
   hit.c = weights.c;
+  return hit;
+}
+
+/// The hit with the weights of its place in the picture, not in space, as game consoles without
+/// perspective mixed: a corner that is far from the camera weighs too much. Wrong, but where the
+/// corners are equally far; exact but for rounding as the picture's own weights, see chapter 08.
+template <class Real>
+[[nodiscard]] MeshHit<Real> weighted_in_picture(const Mesh& mesh, MeshHit<Real> hit,
+                                                const Camera& camera) {
+  if (!any(hit.met)) return hit;
+  const auto eye = number_cast<Real>(camera.eye);
+  const auto forward = number_cast<Real>(camera.target - camera.eye);
+  const std::array<Vec3<Real>, 3> corners = corners_of(mesh, hit.triangle);
+  const auto by_depth = [&](Real& weight, const Vec3<Real>& corner) {
+    weight = weight * dot(corner - eye, forward);
+  };
+  by_depth(hit.a, corners[0]);
+  by_depth(hit.b, corners[1]);
+  by_depth(hit.c, corners[2]);
+  const Real whole = hit.a + hit.b + hit.c;
+  hit.a = hit.a / whole;
+  hit.b = hit.b / whole;
+  hit.c = hit.c / whole;
   return hit;
 }
 

@@ -99,6 +99,42 @@ TEST_CASE("Heron's weights draw the crate, but for texels at the edge of a pixel
   if (draws_in<Lesson, float>) CHECK(lost > 0);
 }
 
+TEST_CASE("weights of the picture: half an edge in its middle, and u and v change evenly") {
+  Mesh edge;
+  edge.points = {{-1, 0, -1}, {3, 0, -3}, {0, 9, -1}};
+  edge.triangles = {{0, 1, 2}};
+  MeshHit<double> middle;
+  middle.met = true;
+  middle.triangle = 0;
+  std::tie(middle.a, middle.b, middle.c) = std::tuple(0.75, 0.25, 0.0);
+  const MeshHit<double> seen =
+      published::weighted_in_picture(edge, middle, {.eye = {0, 0, 0}, .target = {0, 0, -7}});
+  CHECK((seen.a == 0.5 && seen.b == 0.5 && seen.c == 0));
+
+  const Lesson lesson = prepared<Lesson>({"--weights", "picture"});
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  const auto at = [&](int column, int row) {
+    return lesson.weighted_hit(ray_through(view, double(column), double(row)));
+  };
+  long lines = 0;
+  for (int row = 0; row < height; row += 10) {
+    for (int column = 20; column < width - 20; column += 10) {
+      const MeshHit<double> left = at(column - 20, row), here = at(column, row),
+                            right = at(column + 20, row);
+      if (!left.met || !right.met || left.triangle != right.triangle ||
+          left.triangle != here.triangle)
+        continue;
+      const auto uv = [&](const MeshHit<double>& hit) { return lesson.paint.mapping(hit); };
+      CHECK(std::abs(uv(left).u + uv(right).u - 2 * uv(here).u) < 1e-10);
+      CHECK(std::abs(uv(left).v + uv(right).v - 2 * uv(here).v) < 1e-10);
+      ++lines;
+    }
+  }
+  CHECK(lines > 100);
+  const Image wrong = drawn({"--weights", "picture"});
+  CHECK(count_different(wrong, drawn({})) > 20000);
+}
+
 TEST_CASE("with u = x and v = z in its corners a triangle draws the plane map, pixel for pixel") {
   Lesson lesson = prepared<Lesson>({"--texture", "uv_map.png", "--wrap", "repeat"});
   lesson.scene.mesh = {};

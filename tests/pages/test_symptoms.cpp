@@ -8,6 +8,7 @@
 
 #include "03_image_texture/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
 #include "09_texture_filtering/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "engine/compare/known_mistakes.hpp"
@@ -260,6 +261,11 @@ Image dents(const char* relief) {
   return picture(bumpy, width, height);
 }
 
+/// A crate and a floor of triangles, with these weights of the corners.
+Image bent(const char* weights) {
+  return picture(prepared<chapter_08::Lesson>({"--weights", weights}), width, height);
+}
+
 /// The light is the cosine between the ray and the normal, as in the triangle article.
 Image dark_rim() {
   return stage(right_paint, [](const Hit<double>& hit, const Ray<double>& ray) {
@@ -311,6 +317,7 @@ TEST_CASE("each symptom's picture is drawn by its fault, and has a row") {
   check_both("blocks", blocks(right_paint), blocks(bilinear_paint));
   check_both("half_a_texel", half_a_texel(0.5), half_a_texel(0));
   check_both("dents", dents("-0.06"), dents("0.06"));
+  check_both("bent", bent("picture"), bent("signed"));
   check_both("blurred", filtered("trilinear"), filtered("anisotropic"));
   check("dark_rim", dark_rim());
   check_both("night_highlight", night_highlight("lecture"), night_highlight("phong"));

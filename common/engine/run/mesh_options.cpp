@@ -154,9 +154,9 @@ void MeshOptions::declare(Offer& offer) {
   line.decimal("--degrees", degrees, -1e300, 1e300,
                "rotates the mesh about its axis by this angle");
   line.choice(
-      "--weights", weights, "signed|heron",
-      "how to compute the weights of a triangle's corners: from signed areas, or as in the article "
-      "from the lengths of the sides");
+      "--weights", weights, "signed|heron|picture",
+      "how to compute the weights of a triangle's corners: from signed areas, as in the article "
+      "from the lengths of the sides, or from areas in the picture, which perspective makes wrong");
   line.text("--mesh", "FILE", file,
             "draw this mesh, an OBJ file with texture coordinates, instead of the crate: with the "
             "pictures and colors of its .mtl file, unless --texture is given, and repeated, unless "

@@ -20,6 +20,7 @@ struct Offer;
 enum class WeightsFormula {
   signed_areas,  ///< of the ray and the edges
   heron,         ///< the triangle article: areas from side lengths
+  picture,       ///< of the picture, without perspective
 };
 
 /// How a mesh is shaded whose corners have normals.
@@ -52,8 +53,12 @@ struct MeshOptions {
 
   /// The hit with the weights of the chosen formula.
   template <class Real>
-  [[nodiscard]] MeshHit<Real> weighted(const Mesh& mesh, const MeshHit<Real>& hit) const {
-    return weights == WeightsFormula::heron ? published::weighted_by_heron(mesh, hit) : hit;
+  [[nodiscard]] MeshHit<Real> weighted(const Mesh& mesh, const MeshHit<Real>& hit,
+                                       const Camera& camera) const {
+    if (weights == WeightsFormula::heron) return published::weighted_by_heron(mesh, hit);
+    if (weights == WeightsFormula::picture)
+      return published::weighted_in_picture(mesh, hit, camera);
+    return hit;
   }
 };
 

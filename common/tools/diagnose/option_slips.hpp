@@ -44,6 +44,8 @@ inline constexpr OptionSlip of_options[] = {
     {"08", "--degrees", "25", "turned the other way: the sign of the sine",
      "the other sign of the sine, or of the angle"},
     {"08", "--degrees", "0", "not turned at all", "rotate the points before the rays"},
+    {"08", "--weights", "picture", "(u, v) is mixed evenly in the picture, and not in space",
+     "weights from the hit point in space"},
     {"11", "--relief", "-0.06", "dents and not bumps: the height has the wrong sign", ""},
     {"11", "--relief", "0.03", "the bumps are half as high", "a relief of 0.06"},
     {"11", "--relief", "0.12", "the bumps are twice as high", "a relief of 0.06"},

@@ -217,7 +217,7 @@ const controls = [
   {option: "--degrees", label: "Rotation °", range: [-180, 180, 1], turns: true},
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
   {option: "--weights", label: "Weights",
-    told: "from signed areas, or as in the article from the sides; the picture is the same"},
+    told: "from signed areas, as in the article from the sides, or, wrong, in the picture"},
   {option: "--normals", label: "Shading", told: "of a mesh whose corners have normals"},
   {option: "--wrap", label: "Wrap mode", in: "08 09",
     told: "what the texture shows where u or v is beyond 0 to 1"},
