@@ -63,6 +63,12 @@ concept HasSpheres = requires(const Lesson& lesson) {
 template <class Lesson>
 concept HasMovableScene = HasSpheres<Lesson> && !std::derived_from<Lesson, ShowsMeanLight>;
 
+/// Lessons with a list of objects of which not all are known to be spheres.
+template <class Lesson>
+concept HasOtherShapes = requires(const Lesson& lesson) {
+  requires !SphereLike<decltype(lesson.objects.front().shape)>;
+};
+
 /// What a program of a lesson offers its user: first the options of the lesson's groups.
 template <class Lesson>
 [[nodiscard]] Offer offer_of(Lesson& lesson, CommandLine& line) {
@@ -233,8 +239,7 @@ template <class Lesson>
     if (!line.parse(argc, argv)) return;
     chosen.check();
     build(lesson, chosen);
-    if constexpr (requires { requires !SphereLike<decltype(lesson.objects.front().shape)>; })
-      check_objects(lesson.objects, lesson.stage.camera);
+    if constexpr (HasOtherShapes<Lesson>) check_objects(lesson.objects, lesson.stage.camera);
     if constexpr (all_numbers && !std::derived_from<Lesson, SheetLesson>) {
       if (measures(lesson, chosen, line, typed_words(argc, argv))) return;
     }
