@@ -32,19 +32,13 @@ struct Lesson : MeshLesson {
              scene.materials};
   }
   Surface<double> first_surface(const Ray<double>& ray) const override {
-    return surface_at(weighted_hit(ray), paint, scene.normal);
-  }
-
-  /// What a ray meets first, with the weights of the chosen formula.
-  template <class Real>
-  MeshHit<Real> weighted_hit(const Ray<Real>& ray) const {
-    return choice.weighted(scene.mesh, first_hit(scene.mesh, ray), stage.camera);
+    return surface_at(choice.weighted_hit(scene.mesh, ray, stage.camera), paint, scene.normal);
   }
 
   /// The color that one ray sees.
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
-    const MeshHit<Real> hit = weighted_hit(ray);
+    const MeshHit<Real> hit = choice.weighted_hit(scene.mesh, ray, stage.camera);
     const auto light = sample_light(stage.light, others(scene.mesh, hit), hit, scene.normal);
     return select(hit.met, paint(hit) * lambert(surface, light), stage.sky(ray));
   }

@@ -114,7 +114,8 @@ TEST_CASE("weights of the picture: half an edge in its middle, and u and v chang
   const Lesson lesson = prepared<Lesson>({"--weights", "picture"});
   const View<> view = view_of(lesson.stage.camera, width, height);
   const auto at = [&](int column, int row) {
-    return lesson.weighted_hit(ray_through(view, double(column), double(row)));
+    const auto ray = ray_through(view, double(column), double(row));
+    return lesson.choice.weighted_hit(lesson.scene.mesh, ray, lesson.stage.camera);
   };
   long lines = 0;
   for (int row = 0; row < height; row += 10) {

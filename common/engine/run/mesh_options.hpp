@@ -51,10 +51,11 @@ struct MeshOptions {
   /// Errors: FileError with the file and the line.
   [[nodiscard]] MeshScene load(const Chosen& chosen);
 
-  /// The hit with the weights of the chosen formula.
+  /// What a ray meets first, with the weights of the chosen formula.
   template <class Real>
-  [[nodiscard]] MeshHit<Real> weighted(const Mesh& mesh, const MeshHit<Real>& hit,
-                                       const Camera& camera) const {
+  [[nodiscard]] MeshHit<Real> weighted_hit(const BoxedMesh& mesh, const Ray<Real>& ray,
+                                           const Camera& camera) const {
+    const MeshHit<Real> hit = first_hit(mesh, ray);
     if (weights == WeightsFormula::heron) return published::weighted_by_heron(mesh, hit);
     if (weights == WeightsFormula::picture)
       return published::weighted_in_picture(mesh, hit, camera);
