@@ -27,18 +27,18 @@ struct Lesson : MeshLesson {
 
   Groups options() override { return {texture, choice}; }
   void build(Chosen& chosen) override {
-    scene = choice.load(chosen);
+    scene = choice.load(chosen, stage.camera);
     paint = {{choice.uv.moved(MeshMapping{scene.mapping}), choice.uv.read({texture.load()})},
              scene.materials};
   }
   Surface<double> first_surface(const Ray<double>& ray) const override {
-    return surface_at(choice.weighted_hit(scene.mesh, ray, stage.camera), paint, scene.normal);
+    return surface_at(choice.weighted(scene.mesh, first_hit(scene.mesh, ray)), paint, scene.normal);
   }
 
   /// The color that one ray sees.
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
-    const MeshHit<Real> hit = choice.weighted_hit(scene.mesh, ray, stage.camera);
+    const MeshHit<Real> hit = choice.weighted(scene.mesh, first_hit(scene.mesh, ray));
     const auto light = sample_light(stage.light, others(scene.mesh, hit), hit, scene.normal);
     return select(hit.met, paint(hit) * lambert(surface, light), stage.sky(ray));
   }

@@ -115,7 +115,7 @@ TEST_CASE("weights of the picture: half an edge in its middle, and u and v chang
   const View<> view = view_of(lesson.stage.camera, width, height);
   const auto at = [&](int column, int row) {
     const auto ray = ray_through(view, double(column), double(row));
-    return lesson.choice.weighted_hit(lesson.scene.mesh, ray, lesson.stage.camera);
+    return lesson.choice.weighted(lesson.scene.mesh, first_hit(lesson.scene.mesh, ray));
   };
   long lines = 0;
   for (int row = 0; row < height; row += 10) {

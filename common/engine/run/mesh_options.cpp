@@ -166,7 +166,8 @@ void MeshOptions::declare(Offer& offer) {
   uv.declare(offer);
 }
 
-MeshScene MeshOptions::load(const Chosen& chosen) {
+MeshScene MeshOptions::load(const Chosen& chosen, const Camera& seen_by) {
+  camera = seen_by;
   const RotationY rotation = rotation_y(degrees);
   Materials<published::LookUpTexture> materials;
   ObjFile scene;

@@ -47,20 +47,21 @@ struct MeshOptions {
 
   void declare(Offer& offer);
   /// The crate or the file's mesh, as large and turned, on a floor; says what it left out. With a
-  /// file the picture is repeated, unless the user chose.
+  /// file the picture is repeated, unless the user chose. Weights of the picture are this camera's.
   /// Errors: FileError with the file and the line.
-  [[nodiscard]] MeshScene load(const Chosen& chosen);
+  [[nodiscard]] MeshScene load(const Chosen& chosen, const Camera& seen_by);
 
-  /// What a ray meets first, with the weights of the chosen formula.
+  /// The hit with the weights of the chosen formula.
   template <class Real>
-  [[nodiscard]] MeshHit<Real> weighted_hit(const BoxedMesh& mesh, const Ray<Real>& ray,
-                                           const Camera& camera) const {
-    const MeshHit<Real> hit = first_hit(mesh, ray);
+  [[nodiscard]] MeshHit<Real> weighted(const Mesh& mesh, const MeshHit<Real>& hit) const {
     if (weights == WeightsFormula::heron) return published::weighted_by_heron(mesh, hit);
     if (weights == WeightsFormula::picture)
       return published::weighted_in_picture(mesh, hit, camera);
     return hit;
   }
+
+ private:
+  Camera camera;
 };
 
 /// The base of a lesson with a mesh.

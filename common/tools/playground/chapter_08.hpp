@@ -14,7 +14,7 @@ struct TriangleUv {
     const chapter_08::Lesson& lesson = state.lesson;
     const BoxedMesh& mesh = lesson.scene.mesh;
     const Ray<double> ray = ray_through(state.whole, double(column), double(row));
-    const MeshHit<double> hit = lesson.choice.weighted_hit(mesh, ray, lesson.stage.camera);
+    const MeshHit<double> hit = lesson.choice.weighted(mesh, first_hit(mesh, ray));
     if (!hit.met) return {{"rows", Json::list({fact({"hit", "nothing: the sky"})})}};
     const int triangle = static_cast<int>(hit.triangle);
     const RaySpace<double> space(ray);
