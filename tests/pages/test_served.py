@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The book as a server sends it whose policy forbids styles, scripts and pictures that are no
-files: what the first screen shows, and addresses that hold a state.
+files: what the first screen shows, addresses that hold a state, and from a number to its code.
 
 usage: test_served.py BOOK ROOT     as test_book.py
 """
@@ -143,6 +143,64 @@ def check_addresses(place, browser):
         browser.size(1280, 900)
 
 
+# Rows of the loupe without code on a page: they say where the pixel is, or their module alone
+# calculates them, about what the program does.
+WITHOUT_CODE = {"", "pixel", "filter", "mean light", "spread", "error of the mean", "here"}
+# Points at places of the picture in its window; gives each row and where its name leads.
+ROWS = """(async () => {
+  const canvas = document.querySelector(".live-picture canvas"), rows = {};
+  const box = canvas.getBoundingClientRect();
+  for (let i = 1; i < 14; ++i) for (let j = 1; j < 10; ++j) {
+    canvas.dispatchEvent(new PointerEvent("pointermove", {clientX: box.left + box.width * i / 14,
+      clientY: box.top + box.height * j / 10, bubbles: true, pointerType: "mouse"}));
+    await new Promise((done) => setTimeout(done, 25));
+    for (const row of document.querySelectorAll(".live-loupe tr"))
+      rows[row.dataset.name] = row.querySelector("th a")?.getAttribute("href") || "";
+  }
+  return rows;
+})()"""
+# Points at a row: gives what lines say at their ends, and whether all that are lit can be seen.
+POINT = """((name) => {
+  const row = [...document.querySelectorAll(".live-loupe tr")].find(
+    (one) => one.dataset.name === name);
+  row.cells[0].dispatchEvent(new PointerEvent("pointerover", {bubbles: true}));
+  const lit = [...document.querySelectorAll("pre .live-lit")];
+  return [lit.flatMap((one) => one.dataset.value || []),
+    lit.every((one) => one.getClientRects().length), row.cells[1].textContent];
+})"""
+
+
+def check_rows(place, browser):
+    """Each row of the loupe leads to the code that calculates it, on this page or one before, and
+    lights its lines, which say the row's number; each line that is marked has a row."""
+    place.policy = WITH_WASM
+    for page in [one for one in place.chapters if "01" <= one[:2] <= "12"]:
+        seen = {}
+        for words in ("", *{"06": ("#scene=lecture",), "12": ("#show=normal",)}.get(page[:2], ())):
+            place.open(browser, page + words)
+            browser.wait(DONE, 60)
+            seen |= browser.run(ROWS)
+        for name, leads in seen.items():
+            if (not leads) != (name in WITHOUT_CODE):
+                yield f"{page}: the row {name!r} leads to {leads!r}"
+            file, _, line = leads.partition("#")
+            text = (place.out / (file or page)).read_text() if leads else ""
+            if leads and f'id="{line}"' not in text:
+                yield f"{page}: the row {name!r} leads nowhere: {leads}"
+        named = browser.run("[...document.querySelectorAll('[data-row]')].flatMap((line) => "
+                            "line.dataset.row.split('|'))")
+        known = {part for name in seen for part in (name, *name.split(", "))}
+        if set(named) - known:
+            yield f"{page}: no row has the lines of {set(named) - known}"
+        for name in sorted({one for one in seen if seen[one].startswith("#")} & set(browser.run(
+                "[...document.querySelectorAll('.live-loupe tr')].map((row) => "
+                "row.dataset.name)"))):
+            values, shown, told = browser.run(f"{POINT}({name!r})")
+            said = {part.partition(": ")[2] or part for one in values for part in one.split("; ")}
+            if not shown or not any(one in told for one in said):
+                yield f"{page}: at {name!r}, {told!r}, the lines say {values}, shown: {shown}"
+
+
 def main(words):
     if len(words) != 2:
         raise SystemExit(__doc__.strip())
@@ -152,7 +210,8 @@ def main(words):
         return 77
     with tempfile.TemporaryDirectory() as folder:
         place = Place(book, root, Path(folder))
-        failed = run_checks((check_screens, check_forbidden, check_addresses), place)
+        failed = run_checks((check_screens, check_forbidden, check_addresses, check_rows),
+                            place)
         place.server.shutdown()
     return 1 if failed else 0
 

@@ -167,6 +167,7 @@ class Book {
           [&](const std::string& mark, const std::string& code) {
             return located(page.source, mark, code);
           });
+      for (const std::string& one : page.converted.faults) fault(page.source + ": " + one);
       if (page.converted.sections.empty())
         throw std::runtime_error(page.source + " does not begin with a title");
       const fs::path measured = out_ / (page.chapter + ".json");
@@ -431,7 +432,7 @@ class Book {
     }
     html += "</header>\n<main id=\"main\"";
     if (!live.empty() && !fs::exists(playground() / own_script(live)))
-      html.append(" data-live=\"").append(live).append("\"");
+      html.append(" data-live=\"").append(live).append("\"").append(rows_elsewhere(current));
     html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (live_ && body.find("class=\"hero ") != std::string::npos) {
@@ -446,6 +447,22 @@ class Book {
         html.append("<script src=\"live/" + own_script(live) + "\" defer></script>\n");
     }
     return html;
+  }
+
+  /// The pages before a page that have the lines for rows of its loupe, where it has none itself:
+  /// data-rows="u=02_checkerboard_uv.html#row-1|v=...". The nearest one counts.
+  [[nodiscard]] std::string rows_elsewhere(std::size_t current) const {
+    std::map<std::string, std::string> file_of;
+    for (std::size_t i = 0; i < current; ++i)
+      for (const auto& [name, id] : pages_[i].converted.rows)
+        file_of[name] = pages_[i].file + "#" + id;
+    std::string list;
+    for (const auto& [name, file] : file_of) {
+      if (pages_[current].converted.rows.count(name) != 0) continue;
+      if (!list.empty()) list += '|';
+      list += name + "=" + file;
+    }
+    return list.empty() ? "" : " data-rows=\"" + list + "\"";
   }
 
   /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone.

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "engine/files/text.hpp"
 #include "markdown.hpp"
 
 namespace texmap::book {
@@ -73,6 +74,18 @@ std::string trimmed(const std::string& line) {
                                     : line.substr(first, line.find_last_not_of(' ') + 1 - first);
 }
 
+/// The line in an element that names the rows it calculates: data-row="u|v".
+static std::string named_by_rows(const std::string& line, const std::string& html,
+                                 const Place& place) {
+  std::string names;
+  for (const auto& [name, piece] : place.rows) {
+    if (line.find(piece) == std::string::npos) continue;
+    if (!names.empty()) names += '|';
+    names += escaped_markup(name);
+  }
+  return names.empty() ? html : "<span data-row=\"" + names + "\">" + html + "</span>";
+}
+
 std::string highlighted_block(const std::string& code, const std::string& language,
                               const Place& place) {
   std::string html;
@@ -85,9 +98,11 @@ std::string highlighted_block(const std::string& code, const std::string& langua
       html += line[0] == '-' ? "<span class=\"removed\">" : "<span class=\"added\">";
       html += escaped_text(line) + "</span>\n";
     } else if (place.known.count(trimmed(line)) != 0) {
-      html += "<s>" + highlighted_line(line) + "</s>\n";
+      html += named_by_rows(line, "<s>" + highlighted_line(line) + "</s>", place) + "\n";
     } else {
-      html += (language == "cpp" ? highlighted_line(line) : escaped_text(line)) + "\n";
+      const bool is_cpp = language == "cpp";
+      html += named_by_rows(line, is_cpp ? highlighted_line(line) : escaped_text(line), place);
+      html += "\n";
     }
   }
   return std::string("<div class=\"code") + (longest > columns_of_text ? " wide" : "") +

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace texmap::book {
 
@@ -13,9 +15,11 @@ namespace texmap::book {
 struct Place {
   std::string html{};             ///< to stand above it; empty: from nowhere
   std::set<std::string> known{};  ///< the lines, without blanks around them, that readers know
+  /// Rows of the live picture's loupe, and what is on the lines that calculate them.
+  std::vector<std::pair<std::string, std::string>> rows{};
 };
 
-/// A block of code as HTML. Known lines are dim.
+/// A block of code as HTML. Known lines are dim; those of rows say of which.
 ///
 /// @param language  as behind the fence: cpp, diff; others stay plain
 [[nodiscard]] std::string highlighted_block(const std::string& code, const std::string& language,

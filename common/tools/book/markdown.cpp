@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
 #include "engine/files/text.hpp"
@@ -118,6 +119,39 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
   replace_by_html(node, html);
 }
 
+/// What a comment is about: the next block that is no comment.
+cmark_node* block_after(cmark_node* comment) {
+  cmark_node* next = cmark_node_next(comment);
+  while (next != nullptr && cmark_node_get_type(next) == CMARK_NODE_HTML_BLOCK &&
+         text_or_empty(cmark_node_get_literal(next)).rfind("<!--", 0) == 0)
+    next = cmark_node_next(next);
+  return next;
+}
+
+/// Names of rows, and a piece of the lines of each: <!-- rows: u @ Real u = | v @ Real v = -->.
+std::vector<std::pair<std::string, std::string>> rows_in(const std::string& mark) {
+  static const std::regex row(R"((?:rows:|\|) (.+?) @ (.+?)(?= \| | -->))");
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (std::sregex_iterator at(mark.begin(), mark.end(), row), end; at != end; ++at)
+    rows.emplace_back((*at)[1], (*at)[2]);
+  return rows;
+}
+
+/// Gives the first line of each row an id, which links lead to.
+void name_lines(std::string& html, Converted& page) {
+  const std::string names_begin = "<span data-row=\"";
+  for (std::size_t at = html.find(names_begin); at != std::string::npos;
+       at = html.find(names_begin, at + 1)) {
+    const std::size_t first = at + names_begin.size();
+    std::istringstream names(html.substr(first, html.find('"', first) - first));
+    const std::string id = "row-" + std::to_string(page.rows.size() + 1);
+    bool is_first = false;
+    for (std::string name; std::getline(names, name, '|');)
+      is_first = page.rows.emplace(name, id).second || is_first;
+    if (is_first) html.insert(at + 5, " id=\"" + id + "\"");
+  }
+}
+
 }  // namespace
 
 void replace_all(std::string& in, const std::string& what, const std::string& by) {
@@ -155,7 +189,7 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
     if (event == CMARK_EVENT_ENTER) nodes.push_back(cmark_iter_get_node(iter.get()));
   }
   std::vector<cmark_node*> blocks, texts;
-  std::map<cmark_node*, std::string> marks;  // of the blocks after them
+  std::map<cmark_node*, std::string> marks, rows;  // of the blocks after them
   for (cmark_node* node : nodes) {
     const cmark_node_type type = cmark_node_get_type(node);
     if (type == CMARK_NODE_LINK || type == CMARK_NODE_IMAGE) {
@@ -168,7 +202,8 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
     } else if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) {
       const std::string html = text_or_empty(cmark_node_get_literal(node));
       const bool is_comment = html.rfind("<!--", 0) == 0;
-      if (html.rfind("<!-- code: ", 0) == 0) marks[cmark_node_next(node)] = html;
+      if (html.rfind("<!-- code: ", 0) == 0) marks[block_after(node)] = html;
+      if (html.rfind("<!-- rows: ", 0) == 0) rows[block_after(node)] = html;
       cmark_node_set_literal(node, is_comment ? "" : with_resolved(html, resolve).c_str());
     } else if (const auto in = cmark_node_get_type(cmark_node_parent(node));
                type == CMARK_NODE_TEXT && in != CMARK_NODE_HEADING && in != CMARK_NODE_IMAGE) {
@@ -193,8 +228,15 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
       const std::string language =
           is_indented ? "indented" : text_or_empty(cmark_node_get_fence_info(node));
       const auto mark = marks.find(node);
-      const Place place = mark == marks.end() ? Place{} : locate(mark->second, code);
-      replace_by_html(node, formulas ? *formulas : highlighted_block(code, language, place));
+      Place place = mark == marks.end() ? Place{} : locate(mark->second, code);
+      place.rows = rows_in(rows[node]);
+      for (const auto& [name, piece] : place.rows) {
+        if (code.find(piece) == code.npos)
+          page.faults.push_back("no line for the row '" + name + "' has '" + piece + "'");
+      }
+      std::string html = formulas ? *formulas : highlighted_block(code, language, place);
+      name_lines(html, page);
+      replace_by_html(node, html);
     } else if (!page.sections.empty()) {
       page.sections.back().words += words_of(node) + " ";
     }

@@ -1,6 +1,7 @@
 // A page of Markdown as HTML, by cmark-gfm.
 #pragma once
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Section {
 struct Converted {
   std::string html;
   std::vector<Section> sections;
+  std::map<std::string, std::string> rows;  ///< of the loupe: the id of the first line of each
+  std::vector<std::string> faults;          ///< what no line of code has, by a mark of rows
 };
 
 /// What a link or a picture of the page leads to in the book; empty: the link is plain text.
@@ -30,6 +33,7 @@ using Locate = std::function<Place(const std::string& mark, const std::string& c
 
 /// Converts a page: GitHub's Markdown; headings get the names that GitHub gives them. Behind a
 /// picture with letters stands how high they are, <!-- letters: 20 px -->: they stay readable.
+/// Before code stands which lines calculate rows of the loupe, <!-- rows: NAME @ PIECE | ... -->.
 ///
 /// @param resolve  called with the address of each link and each picture
 [[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,

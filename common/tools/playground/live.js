@@ -1348,7 +1348,7 @@ async function live(main, script) {
   });
   canvas.addEventListener("blur",
     ({relatedTarget}) => { if (pinned && !section.contains(relatedTarget)) closeLoupe(); });
-  loupe.addEventListener("click", closeLoupe);
+  loupe.addEventListener("click", ({target}) => target.closest("a") || closeLoupe());
   // While the loupe is open, arrow keys are its own, wherever the focus is but in a field.
   document.addEventListener("keydown", (event) => {
     const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
@@ -1647,11 +1647,72 @@ async function live(main, script) {
     return element("figure", {className: "live-drawing"}, svg,
       element("figcaption", {textContent: says}));
   }
+  // -- Rows and the code that calculates them: the page names the rows of its lines.
+  const lines = [...main.querySelectorAll("[data-row]")];
+  const namesOf = (line) => line.dataset.row.split("|");
+  // A row "u, v" has the lines of both.
+  const linesOf = (name) => lines.filter((line) =>
+    [name, ...name.split(", ")].some((one) => namesOf(line).includes(one)));
+  const elsewhere = Object.fromEntries((main.dataset.rows || "").split("|")
+    .map((one) => one.split("=")));
+  const rowNamed = (name) => [...facts.rows].find((row) => row.dataset.name === name);
+  // The row's name, as a link to the line that calculates it, here or on a page before.
+  function headOf(name) {
+    const [line] = linesOf(name), before = elsewhere[name] || elsewhere[name.split(", ")[0]];
+    const link = line ? element("a", {href: `#${line.id || name}`, title: "the code, on this page",
+      onclick: (event) => {
+        event.preventDefault();  // the address keeps the picture's state
+        lightUp(name);
+        line.scrollIntoView({block: "center"});
+      }})
+      : before && element("a", {href: before, title: `the code, on page ${before.slice(0, 2)}`});
+    link?.append(name);
+    return element("th", {scope: "row"}, link || name);
+  }
+  function lightUp(name = "") {
+    const lit = linesOf(name);
+    for (const line of lines) {
+      const isLit = lit.includes(line);
+      line.classList.toggle("live-lit", isLit);
+      for (let fold = isLit && line.closest("details"); fold;
+        fold = fold.parentElement.closest("details")) fold.open = true;
+      if (isLit) tell(line);
+    }
+  }
+  // At the end of a row's last line in a block of code: what it gave for the pixel in the loupe.
+  function tell(line) {
+    const ends = (name) => line === linesOf(name).filter((one) =>
+      one.closest("pre") === line.closest("pre")).at(-1);
+    const said = (name) => {
+      const cell = rowNamed(name)?.cells[1], parts = cell?.querySelectorAll(".live-formula > span");
+      if (!cell) return [];
+      if (parts.length) return [...parts].map((part) => part.textContent);
+      const text = cell.textContent;
+      const end = cell.querySelector("math") ? text.lastIndexOf(" = ") : -1;
+      return [`${name}: ${end < 0 ? text : text.slice(end + 3)}`];
+    };
+    const value = namesOf(line).filter(ends).flatMap(said).join("; ").slice(0, 160);
+    if (value) line.dataset.value = value;
+    else delete line.dataset.value;
+  }
+  for (const kind of ["pointerover", "focusin"]) {
+    facts.addEventListener(kind, ({target}) => lightUp(target.closest("tr")?.dataset.name));
+    main.addEventListener(kind, ({target}) => {
+      const line = target.closest("[data-row]");
+      for (const row of facts.rows)
+        row.classList.toggle("live-lit", linesOf(row.dataset.name).includes(line));
+      if (line) tell(line);
+    });
+  }
+  facts.addEventListener("pointerleave", () => lightUp());
   function showLoupe(column, row, seen) {
     facts.replaceChildren(...(seen.rows ? moduleFacts(column, row, seen) : factsOf(column, row,
-      seen)).map(([name, ...what]) =>
-      element("tr", {}, ...(name ? [element("th", {scope: "row", textContent: name})] : []),
-        element("td", {colSpan: name ? 1 : 2}, ...what))));
+      seen)).map(([name, ...what]) => {
+      const made = element("tr", {}, ...(name ? [headOf(name)] : []),
+        element("td", {colSpan: name ? 1 : 2}, ...what));
+      made.dataset.name = name;
+      return made;
+    }));
     const lens = zoomed.getContext("2d");
     lens.imageSmoothingEnabled = false;
     lens.clearRect(0, 0, 11, 11);
