@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """The book as a server sends it whose policy forbids styles, scripts and pictures that are no
-files: what the first screen shows, addresses that hold a state, and from a number to its code.
+files: what the first screen shows, addresses that hold a state, and from a number to its code,
+and mistakes on purpose.
 
 usage: test_served.py BOOK ROOT     as test_book.py
 """
 import functools
 import http.server
+import json
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -201,6 +204,55 @@ def check_rows(place, browser):
                 yield f"{page}: at {name!r}, {told!r}, the lines say {values}, shown: {shown}"
 
 
+BROKEN = "document.querySelector('.live-break')"
+VERDICT = f"{BROKEN}.querySelector('p:last-child')"
+CHOOSE = f"""((k) => {{ const list = {BROKEN}.querySelector("select");
+  list.selectedIndex = k; list.dispatchEvent(new Event("change")); }})"""
+# The pixels of a canvas in the picture that are not those of the page's right picture.
+UNLIKE = """((canvas) => {
+  const {width, height} = document.querySelector(canvas);
+  const pixels = new Uint32Array(document.querySelector(canvas).getContext("2d")
+    .getImageData(0, 0, width, height).data.buffer);
+  window.right ??= pixels;
+  return right.filter((one, i) => one !== pixels[i]).length;
+})"""
+
+
+def check_mistakes(place, browser):
+    """Break it: each mistake of a page draws another picture, and the right one stays beside it;
+    of three the page knows which one it drew."""
+    place.policy, tried = WITH_WASM, 0
+    for page in place.chapters:
+        place.open(browser, page)
+        browser.wait("true" if page[:2] == "00" else DONE, 60)
+        slips = json.loads(browser.run("document.querySelector('main').dataset.slips || '[]'"))
+        if page[:2] == "12":
+            del slips[2:]  # its light takes seconds
+        if slips:
+            browser.run(f"{UNLIKE}('.live-picture > canvas')")
+        for k, slip in enumerate(slips):
+            browser.run(f"{CHOOSE}({k + 1})")
+            browser.wait(f"{VERDICT}.textContent.startsWith({json.dumps(slip['words'])})", 60)
+            wrong, lost = (browser.run(f"{UNLIKE}({canvas!r})") for canvas in (
+                ".live-picture > canvas", ".live-second > canvas"))
+            command = browser.run(COMMAND)
+            if wrong < 500 or lost or shlex.split(command)[-len(slip["typed"]):] != slip["typed"]:
+                yield f"{page}, {slip}: {wrong} pixels changed, {lost} lost, {command}"
+        for _ in range(2 if slips else 0):
+            browser.run(f"{BROKEN}.querySelector('button').click()")
+            browser.wait(f"!!{VERDICT}.querySelector('button')", 60)
+            is_hidden = browser.run("document.querySelector('.live-command').hidden")
+            answer = browser.run(f"{VERDICT}.querySelector('button').textContent")
+            browser.run(f"{VERDICT}.querySelector('button').click()")
+            says = browser.run(f"{VERDICT}.textContent")
+            if not is_hidden or not says.startswith(
+                    "Yes: " + answer if answer in says else "No, it is: "):
+                yield f"{page}: to {answer!r} it says {says!r}"
+        tried += len(slips)
+    if tried < 20:
+        yield f"only {tried} mistakes"
+
+
 def main(words):
     if len(words) != 2:
         raise SystemExit(__doc__.strip())
@@ -210,8 +262,8 @@ def main(words):
         return 77
     with tempfile.TemporaryDirectory() as folder:
         place = Place(book, root, Path(folder))
-        failed = run_checks((check_screens, check_forbidden, check_addresses, check_rows),
-                            place)
+        failed = run_checks((check_screens, check_forbidden, check_addresses, check_rows,
+                             check_mistakes), place)
         place.server.shutdown()
     return 1 if failed else 0
 

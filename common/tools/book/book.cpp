@@ -29,6 +29,7 @@
 #include "markdown.hpp"
 #include "microscope.hpp"
 #include "sheets.hpp"
+#include "tools/diagnose/option_slips.hpp"
 #include "tools/page/page.hpp"
 
 namespace texmap::book {
@@ -432,7 +433,11 @@ class Book {
     }
     html += "</header>\n<main id=\"main\"";
     if (!live.empty() && !fs::exists(playground() / own_script(live)))
-      html.append(" data-live=\"").append(live).append("\"").append(rows_elsewhere(current));
+      html.append(" data-live=\"")
+          .append(live)
+          .append("\"")
+          .append(rows_elsewhere(current))
+          .append(slips_of(live));
     html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (live_ && body.find("class=\"hero ") != std::string::npos) {
@@ -463,6 +468,23 @@ class Book {
       list += name + "=" + file;
     }
     return list.empty() ? "" : " data-rows=\"" + list + "\"";
+  }
+
+  /// The mistakes that a live picture's options draw: data-slips="[...]".
+  [[nodiscard]] static std::string slips_of(const std::string& chapter) {
+    std::vector<Json> list;
+    const auto add = [&](const std::vector<const slips::OptionSlip*>& some) {
+      for (const slips::OptionSlip* slip : some) {
+        const std::vector<std::string> words = slip->typed();
+        list.push_back(Json::object({{"typed", Json::list({words.begin(), words.end()})},
+                                     {"words", slip->words},
+                                     {"change", slip->change}}));
+      }
+    };
+    add(slips::option_slips_of(chapter, slips::of_pages));
+    add(slips::option_slips_of(chapter));
+    if (list.empty()) return "";
+    return " data-slips=\"" + escaped_markup(Json::list(list).text) + "\"";
   }
 
   /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone.

@@ -1,5 +1,6 @@
 // The mistakes that a chapter's own options draw.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,14 +63,33 @@ inline constexpr OptionSlip of_options[] = {
      "bilinear"},
 };
 
+/// For the book's live pictures alone: ./course diagnose computes these.
+inline constexpr OptionSlip of_pages[] = {
+    {"04", "--uv-scale", "-1x1", "mirrored: u runs the other way", "`1 - u`"},
+    {"04", "--uv-offset", "0.25,0", "a quarter turn off: u begins at another place", "`u - 0.25`"},
+    {"04", "--uv-offset", "0.5,0", "half a turn off: the picture begins at Greenwich", "`u - 0.5`"},
+    {"04", "--uv-scale", "2x1",
+     "twice around: u covers 0 to 2, or it was divided by pi and not by 2 pi",
+     "`atan2(-z, x) / (2 * pi) + 0.5`"},
+    {"04", "--uv-scale", "0.5x1", "half of the map is spread over the globe: u only reaches 1/2",
+     "`atan2(-z, x) / (2 * pi) + 0.5`"},
+    {"04", "--rounding", "lecture", "squeezed: (int)((n - 1) u) in place of floor(n u)",
+     "`floor(u * n)`, at most n - 1"},
+};
+
 /// Those of a chapter, by its folder's name.
-[[nodiscard]] inline std::vector<const OptionSlip*> option_slips_of(std::string_view chapter) {
+template <std::size_t n>
+[[nodiscard]] std::vector<const OptionSlip*> option_slips_of(std::string_view chapter,
+                                                             const OptionSlip (&all)[n]) {
   std::vector<const OptionSlip*> found;
-  for (const OptionSlip& slip : of_options) {
+  for (const OptionSlip& slip : all) {
     if (std::string_view(slip.chapters).find(chapter.substr(0, 2)) != std::string_view::npos)
       found.push_back(&slip);
   }
   return found;
+}
+[[nodiscard]] inline std::vector<const OptionSlip*> option_slips_of(std::string_view chapter) {
+  return option_slips_of(chapter, of_options);
 }
 
 }  // namespace texmap::slips

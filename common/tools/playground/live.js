@@ -597,6 +597,10 @@ async function live(main, script) {
   let patience = 0, idle = 0, full = null;
   let draft = 240;                     // columns while the reader drags
   let roomOf = 0;                      // the loupe's width
+  // The page's mistakes: what each types more, what is wrong, what is right. The one that is drawn.
+  const slips = JSON.parse(main.dataset.slips || "[]");
+  let broken = null;
+  const wrongs = element("select"), verdict = element("p", {ariaLive: "polite"});
 
   // -- The worker's life.
   function engage() {
@@ -975,6 +979,7 @@ async function live(main, script) {
     }
     for (const {option} of ownFiles) if (values[option] !== presets[option])
       list.push({words: [option, values[option]]});
+    if (broken) list.push({words: broken.typed});
     return list;
   }
   const words = (samples) => [...(always[chapter] ? sizeOfOne : []),
@@ -989,12 +994,14 @@ async function live(main, script) {
     }
   }
   function startOver() {
+    mend();
     carried = {};
     newest = {};
     reset();
     forgetFiles();
   }
   function put(option, value) {
+    mend();
     const before = Object.fromEntries(Object.keys(widgets).map((one) => [one, preset(one)]));
     values[option] = value;
     widgets[option].fault?.replaceChildren();
@@ -1048,6 +1055,7 @@ async function live(main, script) {
   function toAddress() {
     if (!hasAddress) return;
     const list = given().map(({words}) => words)
+      .filter((typed) => typed !== broken?.typed)
       .filter(([option, value]) => value === undefined
         || value !== usual(option) && !files.get(value)?.option)
       .map(([option, value]) =>
@@ -1132,8 +1140,9 @@ async function live(main, script) {
     }));
     openers.hidden = !ownFiles.length;
     refined.hidden = trace.hidden = secondFrame.hidden = line.hidden = true;
-    lies[chapter] ? line.before(secondFrame) : beside.after(secondFrame);
-    secondFrame.classList.toggle("live-over", !!lies[chapter]);
+    const covers = Boolean(lies[chapter] || slips.length);
+    covers ? line.before(secondFrame) : beside.after(secondFrame);
+    secondFrame.classList.toggle("live-over", covers);
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
     save.hidden = !("--projection" in found);
     moveLine();
@@ -1729,6 +1738,72 @@ async function live(main, script) {
     room.style.minHeight =
       `${Math.max(loupe.offsetHeight, parseFloat(room.style.minHeight) || 0)}px`;
   }
+
+  // -- Break it: the picture with a usual mistake, and the right one left of a line.
+  function mend() {
+    if (!broken) return;
+    broken = null;
+    secondFrame.hidden = line.hidden = true;
+    command.parentElement.hidden = false;
+    wrongs.value = "";
+    verdict.replaceChildren();
+  }
+  const isDrawn = async () => {
+    while (section.dataset.state === "drawing") await new Promise((next) => setTimeout(next, 50));
+    return section.dataset.state === "done";
+  };
+  async function breakIt(slip) {
+    if (!broken) {  // else the right picture is there
+      const before = words().join();
+      startOver();
+      if (words().join() !== before || section.dataset.state !== "done") change();
+      if (!await isDrawn()) return false;
+      Object.assign(second, {width: canvas.width, height: canvas.height});
+      secondPaper.drawImage(canvas, 0, 0);
+    }
+    broken = slip;
+    change();
+    if (!await isDrawn() || broken !== slip) return false;
+    secondFrame.hidden = line.hidden = false;
+    wrongs.value = slip.words;
+    return true;
+  }
+  const told = ({words, change: instead}) => [element("b", {textContent: `${words}. `}),
+    ...(instead ? ["Right: ", ...instead.split("`").map((part, i) =>
+      i % 2 ? element("code", {textContent: part}) : part), ". "] : []),
+    "Left of the line is the right picture. ",
+    element("a", {href: "symptoms.html", textContent: "More mistakes and their pictures"})];
+  const without = (list, one) => list.filter((other) => other.words !== one.words);
+  const drawnBy = (list) => list[Math.floor(Math.random() * list.length)];
+  async function quiz() {
+    const slip = drawnBy(slips), second = drawnBy(without(slips, slip));
+    const third = drawnBy(without(without(slips, slip), second));
+    command.parentElement.hidden = true;  // it would tell
+    if (!await breakIt(slip)) return;
+    command.parentElement.hidden = true;
+    wrongs.value = "";
+    const choices = [slip, second, third].filter(Boolean)
+      .sort((a, b) => a.words < b.words ? -1 : 1);
+    verdict.replaceChildren("Left of the line is the right picture. What is wrong? ",
+      ...choices.map((one) => element("button", {type: "button", textContent: one.words,
+        onclick: () => {
+          command.parentElement.hidden = false;
+          wrongs.value = slip.words;
+          verdict.replaceChildren(one === slip ? "Yes: " : "No, it is: ", ...told(slip));
+        }})));
+  }
+  wrongs.append(element("option", {value: "", textContent: "nothing is wrong"}),
+    ...slips.map(({words}) => element("option", {value: words, textContent: words})));
+  wrongs.onchange = async () => {
+    const slip = slips.find(({words}) => words === wrongs.value);
+    if (!slip) { mend(); change(); return; }
+    if (await breakIt(slip)) verdict.replaceChildren(...told(slip));
+  };
+  trace.before(element("details", {className: "live-break", hidden: !slips.length},
+    element("summary", {textContent: "Break it"}),
+    element("p", {}, element("label", {}, "A usual mistake: ", wrongs), " ",
+      element("button", {type: "button", textContent: "Which mistake is it?", onclick: quiz})),
+    verdict));
 
   // The room of the largest loupe is that of a width.
   new ResizeObserver(([{contentRect: {width}}]) => {
