@@ -39,6 +39,17 @@ std::string element(const std::string& name, const std::string& words) {
   return "<" + name + ">" + escaped_text(words) + "</" + name + ">";
 }
 
+/// The line in an element that names the rows it calculates: data-row="u|v".
+std::string named_by_rows(const std::string& line, const std::string& html, const Place& place) {
+  std::string names;
+  for (const auto& [name, piece] : place.rows) {
+    if (line.find(piece) == std::string::npos) continue;
+    if (!names.empty()) names += '|';
+    names += escaped_markup(name);
+  }
+  return names.empty() ? html : "<span data-row=\"" + names + "\">" + html + "</span>";
+}
+
 bool is_of_a_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '#';
 }
@@ -72,18 +83,6 @@ std::string trimmed(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');
   return first == std::string::npos ? ""
                                     : line.substr(first, line.find_last_not_of(' ') + 1 - first);
-}
-
-/// The line in an element that names the rows it calculates: data-row="u|v".
-static std::string named_by_rows(const std::string& line, const std::string& html,
-                                 const Place& place) {
-  std::string names;
-  for (const auto& [name, piece] : place.rows) {
-    if (line.find(piece) == std::string::npos) continue;
-    if (!names.empty()) names += '|';
-    names += escaped_markup(name);
-  }
-  return names.empty() ? html : "<span data-row=\"" + names + "\">" + html + "</span>";
 }
 
 std::string highlighted_block(const std::string& code, const std::string& language,
