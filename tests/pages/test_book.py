@@ -350,6 +350,25 @@ def faults_of_places(out, root):
                 yield f"{page.name}: {path}:{line} is not: {plain(first)}"
 
 
+def faults_of_notes(out, root):
+    """A note in the margin has the glossary's words, once a page, beside a text with its term."""
+    known = dict(re.findall(r"^\| ([^|]+) \| ([^|]+) \| \[",
+                            (root / "docs/glossary.md").read_text(), re.MULTILINE))
+    count = 0
+    for page in sorted(out.glob("[0-9][0-9]_*.html")):
+        notes = re.findall(r"<p>((?:(?!</p>).)*)</p>\n<aside class=\"note\"><b>(.*?)</b> (.*?)"
+                           r"</aside>", page.read_text(), re.DOTALL)
+        count += len(notes)
+        if len({term for _, term, _ in notes}) != page.read_text().count('class="note"'):
+            yield f"{page.name} has a note twice, or beside no text"
+        for text, term, meaning in notes:
+            said = html.unescape(re.sub("<[^>]*>", "", text)).replace("\xa0", " ")
+            if term not in said or html.unescape(meaning) != known.get(html.unescape(term)):
+                yield f"{page.name}: {term!r} is not in {said!r}, or does not mean {meaning!r}"
+    if count < 40:
+        yield f"only {count} notes in the margins"
+
+
 def faults_of_sheets(out, root):
     """All pictures and all words of a sheet are on its chapter's page, but not the sheet as a
     whole, whose letters are small."""
@@ -427,7 +446,7 @@ def main(words):
         pages = sorted(page.name for page in out.glob("*.html")) + ["diff/02-03/index.html"]
         print(f"{len(pages)} pages", flush=True)
         faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_places(out, root),
-                  *faults_of_sheets(out, root),
+                  *faults_of_sheets(out, root), *faults_of_notes(out, root),
                   *faults_of_links(book, root, pathlib.Path(folder) / "root")]
         try:
             for fault in faults_of_pages(out, pages):

@@ -5,6 +5,7 @@
 //        --print: also OUT/print.html, the pages of students and instructors in one, for paper
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -13,6 +14,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -616,13 +618,75 @@ class Book {
                                  : "<div class=\"wide live-place live-alone\"></div>\n");
   }
 
+  /// Puts into the margin what a word of the glossary means, at its first use on a page that does
+  /// not explain it itself. Everyday words and those of each page are left out.
+  void add_notes(std::string& body, const std::string& chapter) const {
+    static const std::set<std::string> everyday{
+        "floor", "step",  "root", "hit",   "front", "path", "paint",   "frame",  "lesson",
+        "stage", "noise", "ray",  "pixel", "pole",  "pack", "texture", "vector", "bound"};
+    static const std::regex row(R"(\| ([^|]+) \| ([^|]+) \| \[([^\]]+)\]\(.*)"),
+        tags("<code>[^<]*</code>|<[^>]*>");
+    std::map<std::string, std::string> meaning;
+    for (const std::string& line : lines_of(contents_of(root_ / "docs/glossary.md"))) {
+      std::smatch found;
+      if (!std::regex_match(line, found, row) || found[3] == chapter ||
+          everyday.count(found[1]) != 0)
+        continue;
+      meaning[found[1]] = found[2];
+    }
+    std::string html;
+    int folds = 0;
+    for (std::size_t from = 0; from < body.size();) {
+      const std::size_t begin = std::min(body.find("<p>", from), body.size());
+      const std::size_t end = std::min(body.find("</p>", begin), body.size() - 4) + 4;
+      const std::string before = body.substr(from, begin - from);
+      html += body.substr(from, end - from);
+      from = end;
+      for (const char* const tag : {"<details", "<ul", "<ol", "<table", "<blockquote"})
+        folds += count_of(before, tag) - count_of(before, std::string("</") + (tag + 1));
+      if (folds != 0) continue;
+      const std::string words = std::regex_replace(body.substr(begin, end - begin), tags, " ");
+      std::string notes;
+      for (auto one = meaning.begin(); one != meaning.end() && notes.empty();) {
+        const bool is_there = has_word(words, one->first);
+        if (is_there)
+          notes = "<b>" + escaped_markup(one->first) + "</b> " + escaped_markup(one->second);
+        one = is_there ? meaning.erase(one) : std::next(one);
+      }
+      if (!notes.empty()) html += "\n<aside class=\"note\">" + notes + "</aside>";
+    }
+    body = html;
+  }
+  [[nodiscard]] static int count_of(const std::string& in, const std::string& what) {
+    int count = 0;
+    for (std::size_t at = in.find(what); at != std::string::npos; at = in.find(what, at + 1))
+      ++count;
+    return count;
+  }
+  /// True for the word, or its plural.
+  [[nodiscard]] static bool has_word(const std::string& in, const std::string& word) {
+    const auto is_letter = [&](std::size_t at) {
+      return at < in.size() && (std::isalnum(static_cast<unsigned char>(in[at])) != 0 ||
+                                in[at] == '-' || in[at] == '_');
+    };
+    for (std::size_t at = in.find(word); at != std::string::npos; at = in.find(word, at + 1)) {
+      const std::size_t last = at + word.size();
+      const bool is_plural = last < in.size() && in[last] == 's';
+      if ((at == 0 || !is_letter(at - 1)) && !is_letter(is_plural ? last + 1 : last)) return true;
+    }
+    return false;
+  }
+
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
     std::string body = sized(with_cards(page.converted.html));
     if (!page.chapter.empty()) {
       replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
       replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");
-      if (!live_chapter(i).empty()) keep_place(body);
+      if (!live_chapter(i).empty()) {
+        keep_place(body);
+        add_notes(body, page.chapter.substr(0, 2));
+      }
       body += made_for(page.chapter);
     }
     body += "<nav class=\"turn\" aria-label=\"Next and previous page\">";
