@@ -146,6 +146,22 @@ def check_addresses(place, browser):
         browser.size(1280, 900)
 
 
+def check_own_addresses(place, browser):
+    """The pages of 13 and 14 keep their settings in the address, too."""
+    place.policy = WITH_WASM
+    for page, asked, field, value, other in (
+            ("13_speed_for_accuracy.html", "#budget=-6", "#budget", "-6", "-3"),
+            ("14_numerical_extremes.html", "#exhibit=pole&at=0.5&number=double", "#extreme", "0.5",
+             "1.25")):
+        place.open(browser, page + asked)
+        browser.wait(f"{DONE} && document.querySelector({field!r}).value === {value!r}", 60)
+        browser.run(f"((one) => {{ one.value = {other}; one.dispatchEvent(new Event('input')); }})"
+                    f"(document.querySelector({field!r}))")
+        now = browser.run("location.hash")
+        if now != asked.replace("=" + value, "=" + other):
+            yield f"{page}: at {other} the address ends in {now}"
+
+
 # Rows of the loupe without code on a page: they say where the pixel is, or their module alone
 # calculates them, about what the program does.
 WITHOUT_CODE = {"", "pixel", "filter", "mean light", "spread", "error of the mean", "here"}
@@ -262,8 +278,8 @@ def main(words):
         return 77
     with tempfile.TemporaryDirectory() as folder:
         place = Place(book, root, Path(folder))
-        failed = run_checks((check_screens, check_forbidden, check_addresses, check_rows,
-                             check_mistakes), place)
+        failed = run_checks((check_screens, check_forbidden, check_addresses, check_own_addresses,
+                             check_rows, check_mistakes), place)
         place.server.shutdown()
     return 1 if failed else 0
 

@@ -392,7 +392,17 @@ async function show() {
     await change();
     section.dataset.timed = rounds;
   }
-  slider.oninput = () => change();
+  slider.oninput = () => {  // the address keeps it
+    history.replaceState(history.state, "", `#budget=${slider.value}`);
+    change();
+  };
+  const fromAddress = () => {
+    const [, asked] = /^#budget=(-?[\d.]+)$/.exec(location.hash) || [];
+    if (asked) slider.value = asked;
+    return Boolean(asked);
+  };
+  addEventListener("hashchange", () => fromAddress() && change());
+  fromAddress();
   again.onclick = time;
   copy.onclick = () => copied(copy, "Copy", command);
   clock.textContent = places ? "The times are those of ./course run 13 on this machine."

@@ -112,9 +112,26 @@ async function show() {
     drawing = false;
     if (again) { again = false; change(); }
   }
-  choice.onchange = choose;
-  slider.oninput = inDouble.onchange = () => change();
-  choose();
+  // The address holds what the reader chose: #exhibit=pole&at=-3.2&number=double.
+  const changedBy = (act) => () => {
+    act();
+    history.replaceState(history.state, "", `#exhibit=${dials[choice.value].exhibit}&at=${
+      slider.value}${inDouble.checked ? "&number=double" : ""}`);
+  };
+  choice.onchange = changedBy(choose);
+  slider.oninput = inDouble.onchange = changedBy(change);
+  function fromAddress() {
+    const asked = new URLSearchParams(location.hash.slice(1));
+    const i = dials.findIndex(({exhibit}) => exhibit === asked.get("exhibit"));
+    if (i >= 0) choice.value = i;
+    inDouble.checked = i >= 0 && asked.get("number") === "double";
+    choose();
+    if (i < 0 || !asked.get("at")) return;
+    slider.value = asked.get("at");
+    change();
+  }
+  addEventListener("hashchange", fromAddress);
+  fromAddress();
 }
 if (!isHired(worker)) begin(show);
 })();
