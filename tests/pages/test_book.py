@@ -209,6 +209,8 @@ USES = {
          "/0.21 texels off. 5,747 pixels .* 20 times as fast/.test(texts('.budget-says')[0])"),
     ],
     "14_numerical_extremes.html": [
+        ("document.querySelector('#exhibit-turns').scrollIntoView()",
+         "texts('.names [aria-current]').join() === 'turns'"),
         ("", "texts('.pairs strong').join() === 'from-1e5,pole,needle,small' && texts('.pairs "
              "figcaption')[1].endsWith('acos magnifies the rounding of y')"),
         ("", "texts('.exhibits article').length === 20 && shown('.pairs .two "

@@ -164,3 +164,14 @@ for (const button of document.querySelectorAll("button[data-frames]")) {
     button.textContent = starts ? "Stop" : "Turn the globe";
   });
 }
+
+// The list of 14's exhibits marks the one that is read.
+const names = [...document.querySelectorAll(".names a")];
+const reading = new IntersectionObserver((seen) => {
+  for (const {isIntersecting, target} of seen) {
+    const name = names.find(({hash}) => hash === `#${target.id}`);
+    if (isIntersecting) name.setAttribute("aria-current", "true");
+    else name.removeAttribute("aria-current");
+  }
+}, {rootMargin: "-12% 0px -87%"});
+for (const {hash} of names) reading.observe(document.querySelector(hash));
