@@ -434,12 +434,10 @@ class Book {
           "hidden></ul></div>\n";
     }
     html += "</header>\n<main id=\"main\"";
-    if (!live.empty() && !fs::exists(playground() / own_script(live)))
-      html.append(" data-live=\"")
-          .append(live)
-          .append("\"")
-          .append(rows_elsewhere(current))
-          .append(slips_of(live));
+    if (!live.empty() && !fs::exists(playground() / own_script(live))) {
+      html.append(" data-live=\"").append(live).append("\"");
+      html.append(rows_elsewhere(current)).append(slips_of(live));
+    }
     html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (live_ && body.find("class=\"hero ") != std::string::npos) {
@@ -460,14 +458,15 @@ class Book {
   /// data-rows="u=02_checkerboard_uv.html#row-1|v=...". The nearest one counts.
   [[nodiscard]] std::string rows_elsewhere(std::size_t current) const {
     std::map<std::string, std::string> file_of;
-    for (std::size_t i = 0; i < current; ++i)
+    for (std::size_t i = 0; i < current; ++i) {
       for (const auto& [name, id] : pages_[i].converted.rows)
         file_of[name] = pages_[i].file + "#" + id;
+    }
     std::string list;
     for (const auto& [name, file] : file_of) {
       if (pages_[current].converted.rows.count(name) != 0) continue;
       if (!list.empty()) list += '|';
-      list += name + "=" + file;
+      list.append(name).append("=").append(file);
     }
     return list.empty() ? "" : " data-rows=\"" + list + "\"";
   }

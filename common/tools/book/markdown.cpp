@@ -231,8 +231,10 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
       Place place = mark == marks.end() ? Place{} : locate(mark->second, code);
       place.rows = rows_in(rows[node]);
       for (const auto& [name, piece] : place.rows) {
-        if (code.find(piece) == code.npos)
-          page.faults.push_back("no line for the row '" + name + "' has '" + piece + "'");
+        if (code.find(piece) == std::string::npos) {
+          page.faults.push_back(
+              text("no line for the row '%s' has '%s'", name.c_str(), piece.c_str()));
+        }
       }
       std::string html = formulas ? *formulas : highlighted_block(code, language, place);
       name_lines(html, page);
