@@ -237,8 +237,8 @@ std::string exhibits(const Reader& reader, std::string page, const std::string& 
     for (const std::string& name : all_between(cells[0], "<code>", "</code>")) {
       causes[name] = cells.at(2);
       list += joined("<a href=\"#exhibit-", name, "\">", name, "</a>\n");
-      all += "<article id=\"exhibit-" + name + "\">" + pairs.at(name) +
-             "</figcaption></figure><div>" + said + "</div></article>\n";
+      all += joined("<article id=\"exhibit-", name, "\">", pairs.at(name),
+                    "</figcaption></figure><div>", said, "</div></article>\n");
       said.clear();  // once for all exhibits of a row
     }
   }
