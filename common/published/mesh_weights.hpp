@@ -21,9 +21,9 @@ template <class Real>
   return hit;
 }
 
-/// The hit with the weights of its place in the picture, not in space, as game consoles without
-/// perspective mixed: a corner that is far from the camera weighs too much. Wrong, but where the
-/// corners are equally far; exact but for rounding as the picture's own weights, see chapter 08.
+/// The hit with the weights of its place in the picture, as early game consoles took them. In space
+/// they are wrong: a corner far from the camera weighs too much. They are right where all corners
+/// are equally far. Chapter 08 shows both.
 template <class Real>
 [[nodiscard]] MeshHit<Real> weighted_in_picture(const Mesh& mesh, MeshHit<Real> hit,
                                                 const Camera& camera) {

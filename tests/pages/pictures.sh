@@ -70,7 +70,10 @@ for strip in $(cut -d ' ' -f 1 "$work/crops" | uniq); do
     esac
     set -- "$@" "$source" "$corner" "$marks"
   done <"$work/strip"
-  "$bin/mark_crops" "$work/strip.png" "$@" >"$work/log" 2>&1 || { fail "the crops of $strip" && continue; }
+  if ! "$bin/mark_crops" "$work/strip.png" "$@" >"$work/log" 2>&1; then
+    fail "the crops of $strip"
+    continue
+  fi
   check "$work/strip.png" "$strip"
 done
 

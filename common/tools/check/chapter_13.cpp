@@ -141,7 +141,7 @@ Slips<Counted> wrong_counts(const std::vector<Met>& met, double sky) {
 }
 
 /// Five disks, partly in a shadow. Their order differs from panel to panel. A pixel is brighter
-/// where the paint is asked more often.
+/// the more often its ray asks for the paint.
 Image asked() {
   return panels([](int panel, double x, double y) {
     std::vector<Met> met;
