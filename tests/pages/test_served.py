@@ -221,7 +221,8 @@ def check_rows(place, browser):
 
 
 BROKEN = "document.querySelector('.live-break')"
-VERDICT = f"{BROKEN}.querySelector('p:last-child')"
+VERDICT = f"{BROKEN}.querySelector('div')"
+HERE_ONLY = "document.querySelector('.live-command > span:last-child').textContent"
 CHOOSE = f"""((k) => {{ const list = {BROKEN}.querySelector("select");
   list.selectedIndex = k; list.dispatchEvent(new Event("change")); }})"""
 # The pixels of a canvas in the picture that are not those of the page's right picture.
@@ -252,7 +253,11 @@ def check_mistakes(place, browser):
             wrong, lost = (browser.run(f"{UNLIKE}({canvas!r})") for canvas in (
                 ".live-picture > canvas", ".live-second > canvas"))
             command = browser.run(COMMAND)
-            if wrong < 500 or lost or shlex.split(command)[-len(slip["typed"]):] != slip["typed"]:
+            is_typed = shlex.split(command)[-len(slip["typed"]):] == slip["typed"]
+            if slip["typed"][0] == "--mistake":  # of the page alone
+                is_typed = "--" not in command and "the mistake" in browser.run(HERE_ONLY)
+            shown = browser.run(f"{VERDICT}.textContent")
+            if wrong < 500 or lost or not is_typed or slip["right"] not in shown:
                 yield f"{page}, {slip}: {wrong} pixels changed, {lost} lost, {command}"
         for _ in range(2 if slips else 0):
             browser.run(f"{BROKEN}.querySelector('button').click()")

@@ -31,7 +31,9 @@
 #include "markdown.hpp"
 #include "microscope.hpp"
 #include "sheets.hpp"
-#include "tools/diagnose/option_slips.hpp"
+#include "tools/diagnose/cards.hpp"
+#include "tools/diagnose/page_slips.hpp"
+#include "tools/diagnose/wrong_program.hpp"
 #include "tools/page/page.hpp"
 
 namespace texmap::book {
@@ -471,19 +473,36 @@ class Book {
     return list.empty() ? "" : " data-rows=\"" + list + "\"";
   }
 
-  /// The mistakes that a live picture's options draw: data-slips="[...]".
+  /// The mistakes that a live picture can draw, and their lines of code: data-slips="[...]".
   [[nodiscard]] static std::string slips_of(const std::string& chapter) {
     std::vector<Json> list;
-    const auto add = [&](const std::vector<const slips::OptionSlip*>& some) {
-      for (const slips::OptionSlip* slip : some) {
-        const std::vector<std::string> words = slip->typed();
-        list.push_back(Json::object({{"typed", Json::list({words.begin(), words.end()})},
-                                     {"words", slip->words},
-                                     {"change", slip->change}}));
+    const auto add = [&](const std::vector<std::string>& typed, const slips::Slip& slip,
+                         const char* right, const char* wrong) {
+      std::string name;
+      for (const slips::Card& card : slips::cards) {
+        if (slip.words.find(card.words) != std::string::npos) name = card.name;
       }
+      list.push_back(Json::object({{"typed", Json::list({typed.begin(), typed.end()})},
+                                   {"words", slip.words},
+                                   {"change", slip.change},
+                                   {"card", name},
+                                   {"right", right},
+                                   {"wrong", wrong}}));
     };
-    add(slips::option_slips_of(chapter, slips::of_pages));
-    add(slips::option_slips_of(chapter));
+    const auto of_chapter = [&](const char* chapters) {
+      return std::string_view(chapters).find(chapter.substr(0, 2)) != std::string_view::npos;
+    };
+    for (const slips::PageSlip& one : slips::on_pages) {
+      const auto [place, row] = slips::row_named(one.begins);
+      const slips::Slip slip = slips::slip_of(place, row);
+      if (of_chapter(one.chapters)) add({"--mistake", slip.words}, slip, one.right, one.wrong);
+    }
+    const auto add_options = [&](const auto& all) {
+      for (const slips::OptionSlip* one : slips::option_slips_of(chapter, all))
+        add(one->typed(), {one->words, one->change}, one->right, one->wrong);
+    };
+    add_options(slips::of_pages);
+    add_options(slips::of_options);
     if (list.empty()) return "";
     return " data-slips=\"" + escaped_markup(Json::list(list).text) + "\"";
   }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "cards.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/files/decode_image.hpp"
@@ -35,26 +36,6 @@ struct Choices {
   bool first = false;  ///< another program, with more chapters, can be asked
 
   [[nodiscard]] fs::path root() const { return fs::absolute(path_of(source)).parent_path(); }
-};
-
-/// What a mistake's words hold, and its card: the name of the card's picture in docs/symptoms.md.
-constexpr struct {
-  const char *words, *card;
-} cards[] = {
-    {"mirrored: u runs", "mirrored"},
-    {"upside down: v runs", "upside_down"},
-    {"turned by half: u and v", "half_turn"},
-    {"a quarter turn off", "quarter_turn"},
-    {"striped", "stripes"},
-    {"half a texel", "half_a_texel"},
-    {"squeezed at the poles", "squeezed_pole"},
-    {"black texture", "black"},
-    {"too dark: light was", "too_dark"},
-    {"the texture is too dark", "too_dark"},
-    {"too pale", "too_pale"},
-    {"dark at the outline", "dark_rim"},
-    {"shining on its night side", "night_highlight"},
-    {"dents and not bumps", "dents"},
 };
 
 /// A page, in the book where that is made, and as Markdown.
@@ -113,9 +94,9 @@ std::string explained(const Choices& choices, const std::string& right,
   std::string chapter = right.substr(0, 2);
   for (const slips::Slip& slip : slips) {
     std::string found;
-    for (const auto& row : cards) {
+    for (const slips::Card& row : slips::cards) {
       if (slip.words.find(row.words) != std::string::npos)
-        found += card_in(choices.root(), row.card, slip.change, chapter);
+        found += card_in(choices.root(), row.name, slip.change, chapter);
     }
     if (found.empty() && !slip.change.empty()) found = "  change      " + slip.change + "\n";
     said += found;

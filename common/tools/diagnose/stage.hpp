@@ -107,6 +107,51 @@ concept OfTheStage = HasStageLight<Lesson> && requires(const Lesson& lesson) {
   return is_between(b - root) || is_between(b + root);  // NaN is not
 }
 
+/// What a ray meets. Its paint's texture and turn go to the stage.
+template <OfTheStage Lesson>
+[[nodiscard]] Seen see(const Lesson& lesson, const Ray<double>& ray, StageView& stage,
+                       const Tracing& tracing = {}) {
+  Seen seen{.height = ray.direction.y};
+  const auto keep = [&](const auto& object, const Hit<double>& hit, bool) {
+    seen.object = hit.object;
+    seen.lit.emplace(lesson, object, object.paint(hit), hit, ray);
+    if (tracing.to_lamp != nullptr) {
+      const Vec3d path = tracing.to_lamp(lesson.stage.light.position, hit.point);
+      const bool hidden =
+          std::any_of(lesson.objects.begin(), lesson.objects.end(), [&](const auto& other) {
+            return hides(other.shape, {hit.point, path}, length(seen.lit->to_lamp));
+          });
+      seen.lit->light.to_light = path;
+      seen.lit->light.cosine = hidden ? 0 : std::max(dot(hit.normal, path), 0.0);
+    }
+    seen.shines = seen.lit->specular() > 0.02;
+    seen.direction = hit.normal;
+    seen.radius = object.shape.radius;
+    visit_paint(object.paint, [&](const auto& paint) {
+      if constexpr (requires { paint.mapping.rotation; }) {
+        stage.turn = paint.mapping.rotation;
+        seen.direction = stage.turn(hit.normal);
+      }
+      if constexpr (requires { paint.texture.squares; }) {
+        seen.on_checkers = seen.mapped = true;
+        stage.checkers = paint.texture;
+      } else if constexpr (requires { paint.texture.image; }) {
+        seen.mapped = true;
+        stage.picture = paint.texture.image;
+      }
+    });
+  };
+  Nearest<double> met = find_nearest(lesson.objects, ray);
+  for (std::size_t i = 0; tracing.draws_last && i < lesson.objects.size(); ++i) {
+    const double distance = distance_to(lesson.objects[i].shape, ray);
+    if (distance < infinity<double>()) met = {distance, static_cast<double>(i)};
+  }
+  for_each_hit(lesson.objects, ray, met, keep);
+  const bool is_wrong = tracing.draws_last || tracing.to_lamp != nullptr;
+  seen.color = is_wrong && seen.lit ? seen.lit->right() : lesson(ray);
+  return seen;
+}
+
 template <OfTheStage Lesson>
 [[nodiscard]] StageView view_stage(std::string_view chapter, const Lesson& lesson,
                                    const View<>& view, int every = lattice,
@@ -114,45 +159,9 @@ template <OfTheStage Lesson>
   StageView stage{.chapter = std::string(chapter), .picture = picture, .sky = lesson.stage.sky};
   for (int row = 1; row < stage.height; row += every) {
     for (int column = 1; column < stage.width; column += every) {
-      const Ray<double> ray = ray_through<double>(view, column, row);
-      Seen seen{.column = column, .row = row, .height = ray.direction.y};
-      const auto keep = [&](const auto& object, const Hit<double>& hit, bool) {
-        seen.object = hit.object;
-        seen.lit.emplace(lesson, object, object.paint(hit), hit, ray);
-        if (tracing.to_lamp != nullptr) {
-          const Vec3d path = tracing.to_lamp(lesson.stage.light.position, hit.point);
-          const bool hidden = std::ranges::any_of(lesson.objects, [&](const auto& other) {
-            return hides(other.shape, {hit.point, path}, length(seen.lit->to_lamp));
-          });
-          seen.lit->light.to_light = path;
-          seen.lit->light.cosine = hidden ? 0 : std::max(dot(hit.normal, path), 0.0);
-        }
-        seen.shines = seen.lit->specular() > 0.02;
-        seen.direction = hit.normal;
-        seen.radius = object.shape.radius;
-        const auto keep_paint = [&](const auto& paint) {
-          if constexpr (requires { paint.mapping.rotation; }) {
-            stage.turn = paint.mapping.rotation;
-            seen.direction = stage.turn(hit.normal);
-          }
-          if constexpr (requires { paint.texture.squares; }) {
-            seen.on_checkers = seen.mapped = true;
-            stage.checkers = paint.texture;
-          } else if constexpr (requires { paint.texture.image; }) {
-            seen.mapped = true;
-            stage.picture = paint.texture.image;
-          }
-        };
-        visit_paint(object.paint, keep_paint);
-      };
-      Nearest<double> met = find_nearest(lesson.objects, ray);
-      for (std::size_t i = 0; tracing.draws_last && i < lesson.objects.size(); ++i) {
-        const double distance = distance_to(lesson.objects[i].shape, ray);
-        if (distance < infinity<double>()) met = {distance, static_cast<double>(i)};
-      }
-      for_each_hit(lesson.objects, ray, met, keep);
-      const bool is_wrong = tracing.draws_last || tracing.to_lamp != nullptr;
-      seen.color = is_wrong && seen.lit ? seen.lit->right() : lesson(ray);
+      Seen seen = see(lesson, ray_through<double>(view, column, row), stage, tracing);
+      seen.column = column;
+      seen.row = row;
       stage.pixels.push_back(seen);
     }
   }

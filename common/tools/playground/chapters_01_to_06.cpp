@@ -5,7 +5,7 @@
 #include "04_uv_conventions/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
-#include "live.hpp"
+#include "knobs.hpp"
 
 namespace texmap::live {
 

@@ -54,41 +54,9 @@ class LiveLesson {
   [[nodiscard]] virtual Image flat(int object, const FlatPart& part) const = 0;
 };
 
-/// The choices that a page offers and a chapter's program does not.
+/// The choices of chapters 01 to 06: knobs.hpp.
 template <class Lesson>
-struct Knobs {
-  double squares = 10;
-  double eye = 1;       ///< how many times as far away the eye is
-  bool errors = false;  ///< shows texel errors
-
-  static constexpr bool may_err = HasSpheres<Lesson>;
-  static constexpr bool has_squares = requires(Lesson & lesson) {
-    lesson.checkered.texture.squares;
-  };
-
-  void declare(CommandLine& line) {
-    if constexpr (has_squares)
-      line.decimal("--squares", squares, 1, 1000, "squares of the checkerboard, in u and in v");
-    if constexpr (HasSpheres<Lesson>) {
-      line.decimal("--eye", eye, 1, 1e9,
-                   "moves the eye away by this factor, and enlarges the picture by the same");
-      line.flag("--errors", errors,
-                "shows how far float and double are apart on the texture, in texels");
-    }
-  }
-
-  void apply(Lesson& lesson) const {
-    if constexpr (has_squares) {
-      for (auto& object : lesson.objects) {
-        with_paint(object.paint, [this](auto& paint) {
-          if constexpr (requires { paint.texture.squares; }) paint.texture.squares = squares;
-        });
-      }
-    }
-    Camera& camera = lesson.stage.camera;
-    camera.eye = camera.target + (camera.eye - camera.target) * eye;
-  }
-};
+struct Knobs;
 
 /// The light of a lesson that gathers it; nothing of another.
 template <class Lesson>
@@ -99,8 +67,8 @@ using GatheredOf = typename std::conditional_t<std::derived_from<Lesson, Gathers
 /// A lesson for a page.
 ///
 /// @tparam Choices  may have `declare` and `apply` as Knobs does, `look` for a pixel's facts,
-///                  `size_beside`, `draw_beside` and `find` for another picture, and `take_over`
-///                  for what a lesson need not load again
+///                  `draw` for what the lesson does not draw, `size_beside`, `draw_beside` and
+///                  `find` for another picture, `take_over` for what need not be loaded again
 template <class Lesson, class Choices = Knobs<Lesson>>
 class Live final : public LiveLesson {
  public:
@@ -150,8 +118,9 @@ class Live final : public LiveLesson {
     if constexpr (has_beside) {
       if (pass == passes()) return state_->knobs.draw_beside(lesson, strip, first, how);
     }
-    if constexpr (may_err) {
-      if (state_->knobs.errors) return draw_errors(lesson, strip);
+    if constexpr (requires { &Choices::draw; }) {
+      if (std::optional<Image> drawn = state_->knobs.draw(lesson, strip, how))
+        return *std::move(drawn);
     }
     if constexpr (HasSurfaces<Lesson>) {
       if (settings.show != Shown::color) {

@@ -600,7 +600,9 @@ async function live(main, script) {
   // The page's mistakes: what each types more, what is wrong, what is right. The one that is drawn.
   const slips = JSON.parse(main.dataset.slips || "[]");
   let broken = null;
-  const wrongs = element("select"), verdict = element("p", {ariaLive: "polite"});
+  // Of the page alone: the program has no option that draws it.
+  const isOurs = ({typed}) => typed[0] === "--mistake";
+  const wrongs = element("select"), verdict = element("div", {ariaLive: "polite"});
 
   // -- The worker's life.
   function engage() {
@@ -979,7 +981,8 @@ async function live(main, script) {
     }
     for (const {option} of ownFiles) if (values[option] !== presets[option])
       list.push({words: [option, values[option]]});
-    if (broken) list.push({words: broken.typed});
+    if (broken)
+      list.push({words: broken.typed, ...(isOurs(broken) ? {here: () => "the mistake"} : {})});
     return list;
   }
   const words = (samples) => [...(always[chapter] ? sizeOfOne : []),
@@ -1768,11 +1771,17 @@ async function live(main, script) {
     wrongs.value = slip.words;
     return true;
   }
-  const told = ({words, change: instead}) => [element("b", {textContent: `${words}. `}),
-    ...(instead ? ["Right: ", ...instead.split("`").map((part, i) =>
-      i % 2 ? element("code", {textContent: part}) : part), ". "] : []),
+  // What drew it: the line that was changed, or what is right in words.
+  const changed = ({right, wrong}) => element("pre", {}, element("code", {},
+    element("span", {className: "removed", textContent: `- ${right}`}), "\n",
+    wrong && element("span", {className: "added", textContent: `+ ${wrong}`})));
+  const told = (slip) => [element("b", {textContent: `${slip.words}. `}),
+    ...(slip.right ? [changed(slip)] : slip.change ? ["Right: ", ...slip.change.split("`").map(
+      (part, i) => i % 2 ? element("code", {textContent: part}) : part), ". "] : []),
     "Left of the line is the right picture. ",
-    element("a", {href: "symptoms.html", textContent: "More mistakes and their pictures"})];
+    isOurs(slip) ? "The calculation of a pixel is the right one. " : "",
+    element("a", {href: `symptoms.html#${slip.card}`, textContent:
+      slip.card ? "The card of this mistake" : "More mistakes and their pictures"})];
   const without = (list, one) => list.filter((other) => other.words !== one.words);
   const drawnBy = (list) => list[Math.floor(Math.random() * list.length)];
   async function quiz() {

@@ -5,14 +5,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
 #include "08_triangle_uv/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
+#include "diagnose/page_slips.hpp"
 #include "diagnose/slips.hpp"
 #include "diagnose/variants.hpp"
+#include "diagnose/wrong_program.hpp"
 #include "support/pictures.hpp"
 
 using namespace texmap;
@@ -200,4 +204,38 @@ TEST_CASE("a mesh and gathered light: mistakes are drawn again, also with other 
   CHECK(words_of(mirrored(clamped), crate) ==
         "the texture's edge is repeated: coordinates were limited to 0 and 1; and the whole "
         "picture is mirrored: columns run the other way");
+}
+
+TEST_CASE("a mistake that a page draws is named, and no other of the page is") {
+  const slips::StageView all[] = {slips::view_stage<chapter_01::Lesson>("01_plain_spheres"),
+                                  slips::view_stage<chapter_02::Lesson>("02_checkerboard_uv"),
+                                  slips::view_stage<chapter_03::Lesson>("03_image_texture"),
+                                  slips::view_stage<chapter_05::Lesson>("05_y_rotation"),
+                                  slips::view_stage<chapter_06::Lesson>("06_phong_texture_blend")};
+  int drawn_ones = 0;
+  for (const slips::PageSlip& one : slips::on_pages) {
+    const auto [place, row] = slips::row_named(one.begins);
+    CHECK(std::string(one.right) != one.wrong);
+    slips::Way way;
+    way.row.at(static_cast<std::size_t>(place)) = row;
+    for (const slips::StageView& stage : all) {
+      if (std::string(one.chapters).find(stage.chapter.substr(0, 2)) == std::string::npos) continue;
+      Image drawn(stage.width, stage.height);
+      for (const slips::Seen& seen : stage.pixels) {
+        const Rgb c = slips::WrongProgram(stage).light_of(way, seen);
+        drawn.at(seen.column, seen.row) = {byte_of(c.r), byte_of(c.g), byte_of(c.b)};
+      }
+      const slips::Explanation why = slips::explain(drawn, stage, 1);
+      CAPTURE(stage.chapter + ": " + one.begins);
+      CHECK(slips::all_of(why.slips) == slips::slip_of(place, row).words);
+      for (const std::string& other : why.instead) {
+        for (const slips::PageSlip& of_page : slips::on_pages) {
+          if (std::string(of_page.chapters).find(stage.chapter.substr(0, 2)) != std::string::npos)
+            CHECK_FALSE(other.starts_with(of_page.begins));
+        }
+      }
+      ++drawn_ones;
+    }
+  }
+  CHECK(drawn_ones > 45);
 }
