@@ -160,9 +160,10 @@ class WrongProgram {
   [[nodiscard]] Rgb light_of(const Way& way, const Seen& seen) const {
     const auto& row = way.row;
     if (!seen.lit && row[sky] == 0) return seen.color;
-    if (!seen.lit)
+    if (!seen.lit) {
       return mix(stage_.sky.below, stage_.sky.above,
                  of_sky[row[sky]].calculate(seen.height, seen.row / (stage_.height - 1.0)));
+    }
     mistakes::Lit lit = *seen.lit;
     if (way.material) {
       const bool shines = lit.material.specular > 0;
