@@ -527,7 +527,7 @@ std::string Words::of(const Image& drawn, const WrongPicture& right) {
       const std::array<const StageView*, 1> alone{&stage};
       const auto whys = explain_by_any(drawn, alone);
       if (whys.empty()) {
-        const std::string shadows = wrong_shadows(drawn, stage).words;
+        std::string shadows = wrong_shadows(drawn, stage).words;
         if (!shadows.empty()) return shadows;
       } else {
         std::string words = all_of(whys.front().second.slips);
