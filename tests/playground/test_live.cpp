@@ -1,6 +1,4 @@
 // Live lessons without a browser: what no program draws. test_live.py compares the rest.
-#include "live.hpp"
-
 #include <doctest.h>
 
 #include <cmath>
@@ -17,7 +15,9 @@
 #include "chapter_10.hpp"
 #include "chapter_11.hpp"
 #include "chapter_12.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/run/prepared.hpp"
+#include "knobs.hpp"
 #include "published/uv.hpp"
 #include "sampling/hash.hpp"
 #include "support/pictures.hpp"
@@ -184,6 +184,26 @@ TEST_CASE("in float, look tells what float meets and how far its place is off") 
   CHECK(pixel["float"]["apart"].get<double>() == doctest::Approx(std::hypot(across, up)));
   CHECK(std::hypot(across, up) > 0);
   CHECK(std::hypot(across, up) < 0.05);
+}
+
+TEST_CASE("a mirrored Earth shows the texel at 1 - u; a mistake without a name is refused") {
+  Live<chapter_03::Lesson> lesson;
+  const auto pixel_with = [&](const Words& words) {
+    lesson.set(words, 400);
+    return whole(lesson).at(210, 140);
+  };
+  const Rgb8 right = pixel_with({});
+  const auto pixel = seen(lesson, 210, 140);
+  const double u = pixel["uv"][0], v = pixel["uv"][1];
+  const auto texel_at = [&](double x) {  // as the flat texture has it, from the top
+    return lesson.flat(pixel["object"], {x - 1e-9, 1 - v - 1e-9, 2e-9, 2e-9, 1, 1}).at(0, 0);
+  };
+  const Rgb8 here = texel_at(u), there = texel_at(1 - u);
+  REQUIRE(channel_difference(here, there) > 20);
+  const Rgb8 wrong = pixel_with({"--mistake", "mirrored"});
+  CHECK(std::abs(right.b * there.b - wrong.b * here.b) <= here.b + there.b);  // the same light
+  CHECK_THROWS_AS(lesson.set({"--mistake", "nothing of the kind"}, 400), UsageError);
+  CHECK(pixel_with({"--mistake", "mirrored"}) == wrong);  // it stayed as it was
 }
 
 TEST_CASE("the seam is no distance, and errors have the colors of the legend") {

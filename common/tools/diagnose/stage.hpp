@@ -65,7 +65,7 @@ inline constexpr int of_rounding = 2, of_noise = 24;
 
 /// A chapter's stage at every third pixel of every third row, or at fewer.
 struct StageView {
-  std::string chapter;  ///< its folder
+  std::string chapter{};  ///< its folder
   int width = 800, height = 600;
   std::vector<Seen> pixels{};
   SharedImage picture{};  ///< of the texture; empty if there is none

@@ -16,7 +16,8 @@ struct Mistaken {
   const slips::Way& way;
 
   Rgb operator()(const Ray<double>& ray) const {
-    slips::StageView stage{.sky = lesson.stage.sky};
+    slips::StageView stage;
+    stage.sky = lesson.stage.sky;
     const slips::Seen seen = slips::see(lesson, ray, stage);
     return slips::WrongProgram(stage).light_of(way, seen);
   }
