@@ -147,6 +147,12 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
   return made;
 }
 
+/// With boxes, if it has many triangles.
+BoxedMesh boxed(Mesh mesh) {
+  if (mesh.triangles.size() <= most_in_a_list) return {std::move(mesh), {}, {}};
+  return with_boxes(std::move(mesh));
+}
+
 }  // namespace
 
 void MeshOptions::declare(Offer& offer) {
@@ -192,9 +198,14 @@ MeshScene MeshOptions::load(const Chosen& chosen, const Camera& seen_by) {
   if (!materials.of_triangle.empty())
     materials.of_triangle.resize(scene.mesh.triangles.size(), -1);  // the floor has the picture
   if (!scene.normals.triangles.empty()) scene.normals.triangles.resize(scene.mesh.triangles.size());
-  const bool is_small = scene.mesh.triangles.size() <= most_in_a_list;
-  return {is_small ? BoxedMesh{std::move(scene.mesh), {}, {}} : with_boxes(std::move(scene.mesh)),
-          std::move(scene.mapping), std::move(scene.normals), std::move(materials)};
+  return {boxed(std::move(scene.mesh)), std::move(scene.mapping), std::move(scene.normals),
+          std::move(materials)};
+}
+
+void MeshOptions::place(MeshScene& scene, const Camera& seen_by, double scale, const Vec3d& moved) {
+  camera = seen_by;
+  for (Point& p : scene.mesh.points) p = p * scale + moved;
+  scene.mesh = boxed(std::move(scene.mesh));
 }
 
 }  // namespace texmap

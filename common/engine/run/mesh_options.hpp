@@ -50,6 +50,8 @@ struct MeshOptions {
   /// file the picture is repeated, unless the user chose. Weights of the picture are this camera's.
   /// Errors: FileError with the file and the line.
   [[nodiscard]] MeshScene load(const Chosen& chosen, const Camera& seen_by);
+  /// The scene `scale` times as large and then moved, as this camera sees it.
+  void place(MeshScene& scene, const Camera& seen_by, double scale, const Vec3d& moved);
 
   /// The hit with the weights of the chosen formula.
   template <class Real>

@@ -59,9 +59,16 @@ concept HasSpheres = requires(const Lesson& lesson) {
   lesson.objects.front().shape.form;
 };
 
-/// Those whose scene is such a list, a lamp and a camera: no floor, which is not a sphere.
+/// Lessons with a mesh, which their options can place elsewhere.
 template <class Lesson>
-concept HasMovableScene = HasSpheres<Lesson> && !std::derived_from<Lesson, ShowsMeanLight>;
+concept HasMovableMesh = requires(Lesson& lesson) {
+  lesson.choice.place(lesson.scene, lesson.stage.camera, 1.0, Vec3d{});
+};
+
+/// Those whose scene is spheres or a mesh, a lamp and a camera: no floor without an end.
+template <class Lesson>
+concept HasMovableScene = HasMovableMesh<Lesson> ||
+    (HasSpheres<Lesson> && !std::derived_from<Lesson, ShowsMeanLight>);
 
 /// Lessons with a list of objects of which not all are known to be spheres.
 template <class Lesson>
@@ -164,13 +171,18 @@ std::function<Image()> drawing_by(const std::string& chapter,
 /// change.
 template <HasMovableScene Lesson>
 Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale, double moved) {
-  const auto move = [&](Point& point) { point = point * scale + Vec3d{moved, moved, moved}; };
-  for (auto& object : lesson.objects) {
-    move(object.shape.center);
-    object.shape.radius *= scale;
-  }
+  const Vec3d by{moved, moved, moved};
+  const auto move = [&](Point& point) { point = point * scale + by; };
   move(lesson.stage.camera.eye);
   move(lesson.stage.camera.target);
+  if constexpr (HasMovableMesh<Lesson>) {
+    lesson.choice.place(lesson.scene, lesson.stage.camera, scale, by);
+  } else {
+    for (auto& object : lesson.objects) {
+      move(object.shape.center);
+      object.shape.radius *= scale;
+    }
+  }
   if constexpr (requires { lesson.stage.light; }) move(lesson.stage.light.position);
   if constexpr (std::derived_from<Lesson, GathersLight>) {
     lesson.sampling.lens.focus_distance *= scale;
