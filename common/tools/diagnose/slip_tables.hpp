@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/draw/render.hpp"
 #include "math/color.hpp"
 #include "math/srgb.hpp"
 #include "math/vec3.hpp"
