@@ -46,6 +46,7 @@ Slips<int> wrong_ways(const Ways& ways, int width, double budget) {
   const auto error = [](const Way& way) { return way.at_most; };
   const auto time = [](const Way& way) { return way.ms; };
   const auto time_and_seen = [](const Way& way) { return std::pair(way.ms, way.seen); };
+  const int whole = width / 2048;
   return {
       {"what was seen is luck: another picture has other pixels. Take the error at most",
        fastest(ways, seen)},
@@ -54,7 +55,7 @@ Slips<int> wrong_ways(const Ways& ways, int width, double budget) {
       {"a wider texture has more texels to be off by: multiply by width / 2048",
        fastest(ways, budget * width / 2048)},
       {"width / 2048 divides whole numbers, and the rest is lost",
-       fastest(ways, budget / static_cast<double>(width / 2048))},
+       fastest(ways, budget / whole)},
       {"the budget is not used: this is the fastest of all", fastest(ways, infinity<double>())},
       {"of those that fit the fastest is wanted, and this is the most accurate",
        chosen(ways, fits, error)},
