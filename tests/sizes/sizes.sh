@@ -87,7 +87,8 @@ expect_memory "03, $size pixels" $all 6 03_image_texture "$@"
 cp "$work/measured.png" "$work/texture.png"
 expect_memory "03, a texture of $size texels" $all 3 03_image_texture --texture "$work/texture.png" --width 64 --height 48
 set -- "$work/texture.png" --width 64 --height 48
-expect_memory "09, a texture of $size texels" $all 7 09_texture_filtering --filter anisotropic --texture "$@"
+expect_memory "09, a texture of $size texels" $all 7 \
+  09_texture_filtering --filter anisotropic --texture "$@"
 expect_memory "10, a texture of $size texels, converted" $all 6 \
   10_projections --projection octahedral --texture "$@"
 expect_memory "11, heights of $size texels" $all 3 11_bump_and_normal_maps --relief-image "$@"

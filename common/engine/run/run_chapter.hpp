@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/draw/draw.hpp"
+#include "engine/draw/kinds.hpp"
 #include "engine/draw/lesson_surfaces.hpp"
 #include "engine/draw/number_names.hpp"
 #include "engine/fast/box_search.hpp"
@@ -59,15 +60,9 @@ concept HasSpheres = requires(const Lesson& lesson) {
   lesson.objects.front().shape.form;
 };
 
-/// Lessons with a mesh, which their options can place elsewhere.
-template <class Lesson>
-concept HasMovableMesh = requires(Lesson& lesson) {
-  lesson.choice.place(lesson.scene, lesson.stage.camera, 1.0, Vec3d{});
-};
-
 /// Those whose scene is spheres or a mesh, a lamp and a camera: no floor without an end.
 template <class Lesson>
-concept HasMovableScene = HasMovableMesh<Lesson> ||
+concept HasMovableScene = std::derived_from<Lesson, HasMesh> ||
     (HasSpheres<Lesson> && !std::derived_from<Lesson, ShowsMeanLight>);
 
 /// Lessons with a list of objects of which not all are known to be spheres.
@@ -175,7 +170,7 @@ Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale,
   const auto move = [&](Point& point) { point = point * scale + by; };
   move(lesson.stage.camera.eye);
   move(lesson.stage.camera.target);
-  if constexpr (HasMovableMesh<Lesson>) {
+  if constexpr (std::derived_from<Lesson, HasMesh>) {
     lesson.choice.place(lesson.scene, lesson.stage.camera, scale, by);
   } else {
     for (auto& object : lesson.objects) {

@@ -489,16 +489,13 @@ class Book {
                                    {"right", right},
                                    {"wrong", wrong}}));
     };
-    const auto of_chapter = [&](const char* chapters) {
-      return std::string_view(chapters).find(chapter.substr(0, 2)) != std::string_view::npos;
-    };
-    for (const slips::PageSlip& one : slips::on_pages) {
-      const auto [place, row] = slips::row_named(one.begins);
+    for (const slips::PageSlip* one : slips::of_chapter(chapter, slips::on_pages)) {
+      const auto [place, row] = slips::row_named(one->begins).value();
       const slips::Slip slip = slips::slip_of(place, row);
-      if (of_chapter(one.chapters)) add({"--mistake", slip.words}, slip, one.right, one.wrong);
+      add({"--mistake", slip.words}, slip, one->right, one->wrong);
     }
     const auto add_options = [&](const auto& all) {
-      for (const slips::OptionSlip* one : slips::option_slips_of(chapter, all))
+      for (const slips::OptionSlip* one : slips::of_chapter(chapter, all))
         add(one->typed(), {one->words, one->change}, one->right, one->wrong);
     };
     add_options(slips::of_pages);

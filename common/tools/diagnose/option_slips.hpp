@@ -104,19 +104,15 @@ inline constexpr OptionSlip of_pages[] = {
      "column = (int)(u * (width - 1))"},
 };
 
-/// Those of a chapter, by its folder's name.
-template <std::size_t n>
-[[nodiscard]] std::vector<const OptionSlip*> option_slips_of(std::string_view chapter,
-                                                             const OptionSlip (&all)[n]) {
-  std::vector<const OptionSlip*> found;
-  for (const OptionSlip& slip : all) {
-    if (std::string_view(slip.chapters).find(chapter.substr(0, 2)) != std::string_view::npos)
-      found.push_back(&slip);
+/// The rows of a chapter, by its folder's name.
+template <class Row, std::size_t n>
+[[nodiscard]] std::vector<const Row*> of_chapter(std::string_view chapter, const Row (&all)[n]) {
+  std::vector<const Row*> found;
+  for (const Row& row : all) {
+    if (std::string_view(row.chapters).find(chapter.substr(0, 2)) != std::string_view::npos)
+      found.push_back(&row);
   }
   return found;
-}
-[[nodiscard]] inline std::vector<const OptionSlip*> option_slips_of(std::string_view chapter) {
-  return option_slips_of(chapter, of_options);
 }
 
 }  // namespace texmap::slips

@@ -1,5 +1,6 @@
 // Slips that the book's live pictures of the stage offer: those that students make most.
 #pragma once
+
 namespace texmap::slips {
 
 /// A slip of a chapter's page, by what its words begin with, and its line of code.

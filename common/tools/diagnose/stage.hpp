@@ -227,7 +227,7 @@ void visit_changed(const StageView& stage, const Visit& visit) {
     visit(slip,
           [&](int every) { return view_stage(chapter, lesson, view, every, {}, stage.picture); });
   };
-  for (const OptionSlip* slip : option_slips_of(chapter)) {
+  for (const OptionSlip* slip : of_chapter(chapter, of_options)) {
     std::vector<std::string> options = stage.options;
     for (const std::string& word : slip->typed()) options.push_back(word);
     visit_lesson({slip->words, slip->change}, prepared<Lesson>(options));

@@ -179,7 +179,7 @@ void visit_variants(const StageView& stage, const Visit& visit) {
   };
   const auto as_it_is = [](Lesson&) {};
   const auto by_program = [](auto& ready, int every) { return drawn_at(ready, every); };
-  for (const OptionSlip* slip : option_slips_of(stage.chapter))
+  for (const OptionSlip* slip : of_chapter(stage.chapter, of_options))
     draw({slip->words, slip->change}, slip->typed(), as_it_is, by_program);
   if constexpr (requires(Lesson lesson) { lesson.texture.kept; }) {
     // A wrong look-up is a right look-up on another map. A sheet takes long: it has the usual ones.

@@ -25,58 +25,33 @@ inline const mistakes::LightMistake* light_slip(int row) {
 }
 
 /// The rows of a place's table; of angles only how many quarters there are.
-[[nodiscard]] inline std::vector<Named> rows_of(int place) {
+[[nodiscard]] inline const std::vector<Named>& rows_of(int place) {
   const auto all = [](const auto& table) {
     return std::vector<Named>(std::begin(table), std::end(table));
   };
-  switch (place) {
-    case turned:
-      return all(of_turned);
-    case pole:
-      return all(of_pole);
-    case mirrored:
-      return all(of_mirrored);
-    case degrees:
-      return std::vector<Named>(4);
-    case upside:
-      return all(of_upside);
-    case u_form:
-      return all(of_u);
-    case v_form:
-      return all(of_v);
-    case texel:
-      return all(of_texel);
-    case reading:
-      return all(of_reading);
-    case squares:
-      return all(of_squares);
-    case shadows:
-      return all(of_shadows);
-    case sky:
-      return all(of_sky);
-    case bytes:
-      return all(of_bytes);
-    case flip:
-      return all(of_flip);
-    default: {
-      std::vector<Named> lights(1);
-      for (const auto& one : mistakes::of_light) lights.push_back({one.words, ""});
-      for (const auto& one : mistakes::of_highlight) lights.push_back({one.words, ""});
-      return lights;
-    }
-  }
+  const auto lights = [] {
+    std::vector<Named> rows(1);
+    for (const auto& one : mistakes::of_light) rows.push_back({one.words, ""});
+    for (const auto& one : mistakes::of_highlight) rows.push_back({one.words, ""});
+    return rows;
+  };
+  static const std::array<std::vector<Named>, places> tables{
+      all(of_turned),  all(of_pole), all(of_mirrored), std::vector<Named>(4), all(of_upside),
+      all(of_u),       all(of_v),    all(of_texel),    all(of_reading),       all(of_squares),
+      all(of_shadows), lights(),     all(of_sky),      all(of_bytes),         all(of_flip)};
+  return tables.at(static_cast<std::size_t>(place));
 }
 
-/// Place and row of the first slip whose words begin so; none: places, 0.
-[[nodiscard]] inline std::pair<int, int> row_named(std::string_view begin) {
+/// Place and row of the first slip whose words begin so; nothing: there is none.
+[[nodiscard]] inline std::optional<std::pair<int, int>> row_named(std::string_view begin) {
   for (int place = 0; place < places && !begin.empty(); ++place) {
-    const std::vector<Named> rows = rows_of(place);
+    const std::vector<Named>& rows = rows_of(place);
     for (std::size_t row = 1; row < rows.size(); ++row) {
       if (rows[row].words != nullptr && std::string_view(rows[row].words).starts_with(begin))
-        return {place, static_cast<int>(row)};
+        return std::pair(place, static_cast<int>(row));
     }
   }
-  return {places, 0};
+  return {};
 }
 
 /// What a row is called. Of `degrees` the row is the angle.
@@ -94,7 +69,7 @@ inline const mistakes::LightMistake* light_slip(int row) {
     }
     return {text("turned by %d degrees", row) + end, ""};
   }
-  const Named named = rows_of(place)[static_cast<std::size_t>(row)];
+  const Named& named = rows_of(place).at(static_cast<std::size_t>(row));
   return {named.words, named.change};
 }
 

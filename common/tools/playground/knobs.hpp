@@ -65,9 +65,9 @@ struct Knobs {
 
   void apply(Lesson& lesson) {
     if constexpr (may_slip) {
-      const auto [place, row] = slips::row_named(mistake);
-      if (place == slips::places && !mistake.empty()) throw UsageError("no mistake: " + mistake);
-      if (place != slips::places) way.row[static_cast<std::size_t>(place)] = row;
+      const auto found = slips::row_named(mistake);
+      if (!found && !mistake.empty()) throw UsageError("no mistake: " + mistake);
+      if (found) way.row.at(static_cast<std::size_t>(found->first)) = found->second;
     }
     if constexpr (has_squares) {
       for (auto& object : lesson.objects) {
