@@ -90,6 +90,7 @@ using namespace chapter_01;
 struct Roots {
   double entry, exit;
 };
+std::array<double, 2> parts(const Roots& t) { return {t.entry, t.exit}; }
 Roots roots(double a, double b, double c) {
   const double root = sqrt(b * b - a * c);
   return {(b - root) / a, (b + root) / a};

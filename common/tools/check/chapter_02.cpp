@@ -2,7 +2,6 @@
 // Checkerboard by name; here those names, in the lesson's namespace, mean structs that call the
 // student's function.
 #include "exercises.hpp"
-#include "map_mistakes.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/mapped.hpp"
 #include "texture/uv_inverse.hpp"
@@ -44,9 +43,12 @@ namespace {
 
 using namespace chapter_02;
 
+// A map's u from a share of a turn to the east, 0 on +x: the right one, and two of those who make
+// another mistake, too.
 double below_0_added(double share) { return share < 0 ? share + 1 : share; }
 double as_it_is(double share) { return share; }
 double as_on_the_page(double share) { return 0.5 + share; }
+constexpr std::array begins{below_0_added, as_it_is, as_on_the_page};
 
 Slips<double> wrong_beginnings(double share) {
   const double angle = share * 2 * pi;
@@ -66,6 +68,71 @@ Slips<double> wrong_beginnings(double share) {
   };
 }
 
+/// Wrong u of the point (x, y, z).
+Slips<double> wrong_us(double x, double y, double z) {
+  constexpr double turn = 2 * pi;
+  const auto share = [](double sine, double cosine) { return atan2(sine, cosine) / turn; };
+  const double longitude = atan2(-z, x);
+  constexpr auto precedence = "C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)";
+  constexpr auto radians = "u is in radians: divide the angle by 2 pi";
+  const Slips<double> shares = {
+      {precedence, longitude / 2 * pi},
+      {radians, longitude},
+      {"divide the radians by 2 pi",
+       {{"a whole turn is not 360", longitude / 360},
+        {"u is a part of 1, not degrees", longitude / radian},
+        {"by pi alone the map goes around twice", longitude / pi}}},
+      {"the arguments of atan2 are exchanged (z comes first), or u begins a quarter turn away",
+       {share(x, z), -share(x, z)}},
+      {"y goes up: the longitude is an angle between x and z",
+       {share(-y, x), share(x, -y), share(-z, -y), share(y, x), share(x, y), share(-z, y)}},
+      {"std::atan sees only z / x, half of the globe: use std::atan2", atan(-z / x) / turn},
+  };
+  Slips<double> us = wrong_beginnings(longitude / turn);
+  us += {
+      {precedence, (longitude + pi) / 2 * pi},
+      {radians, longitude + pi},
+      {"u is the same everywhere: in C++ 1 / 2 is 0, and 0 * angle is 0", begins.front()(0)},
+  };
+  for (const auto& begin : begins) us += changed(shares, begin);
+  return us;
+}
+
+/// Wrong (u, v) of the point (x, y, z), as many write them.
+Slips<Place2> map_slips(double x, double y, double z) {
+  const auto v_by = [](double cosine) { return acos(clamp(cosine, -1.0, 1.0)) / pi; };
+  const double north = asin(y), south = acos(-y);
+  const double u = begins.front()(atan2(-z, x) / (2 * pi)), v = south / pi;
+  const Slips<double> vs = {
+      {"v is 0 on the equator, and has to be 1/2 there: add 0.5 (in C++ 1 / 2 is 0)", north / pi},
+      {"divide the radians by pi",
+       {{"v is in radians", {south, 1 - south}},
+        {"half a turn is not 180", {south / 180, 0.5 + north / 180}},
+        {"v is a part of 1, not degrees", south / radian},
+        {"acos and asin run over half a turn", {south / (2 * pi), 0.5 + north / (2 * pi)}}}},
+      {"v grows with the angle, not with the height y: take acos or asin", {(y + 1) / 2, y}},
+      {"y is the axis from pole to pole: v comes from y", {v_by(x), v_by(-x), v_by(z), v_by(-z)}},
+      {"limit y to -1 and 1, not to 0 and 1: half of the globe has negative y", v_by(max(-y, 0.0))},
+      {"v is below 0 everywhere but at a pole: take the minus away", -v},
+      {"the square root is missing in v: the distance from the axis is sqrt(x * x + z * z)",
+       atan2(x * x + z * z, -y) / pi},
+  };
+  Slips<Place2> table = {"u and v are exchanged", {v, u}};
+  table += changed(wrong_us(x, y, z), [&](double wrong) { return Place2{wrong, v}; });
+  return table += changed(vs, [&](double wrong) { return Place2{u, wrong}; });
+}
+
+/// The same for those who have a sign wrong or do not limit y, for acos and asin, too.
+Slips<Place2> map_slips(const Vec3d& p) {
+  Slips<Place2> table;
+  for (const double y : {p.y, -p.y}) {
+    for (const double z : {p.z, -p.z}) {
+      for (const double limited : {clamp(y, -1.0, 1.0), y}) table += map_slips(p.x, limited, z);
+    }
+  }
+  return table;
+}
+
 Place2 right_place(const Vec3d& p) {
   const auto [u, v] = uv_rtiow(p);
   return {fraction(u + 0.5), v};
@@ -78,7 +145,7 @@ Slips<Place2> wrong_places(Vec3d p) {
       {"at the pole acos and asin can be NaN: limit y to -1 and 1, or use atan2", {u, by_acos}},
       {"u runs the other way: your map is mirrored", {{west, v}, {west, by_acos}}},
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
-      map_slips(p, {below_0_added, as_it_is, as_on_the_page}, wrong_beginnings),
+      map_slips(p),
   };
 }
 

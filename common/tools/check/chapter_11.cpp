@@ -60,11 +60,6 @@ using namespace chapter_11;
 
 Image globe() { return picture_of(prepared<Lesson>(), 21); }
 
-/// The three numbers from -1 to 1 that a texel means.
-Vec3d numbers_of(int red, int green, int blue) {
-  return normal_of_color(Rgb{red / 255.0, green / 255.0, blue / 255.0});
-}
-
 Vec3d right_normal(Vec3d bricks, Vec3d scratches) {
   return normalize(bricks * (1 / bricks.z) + scratches * (1 / scratches.z) - Vec3d{0, 0, 1});
 }
@@ -123,7 +118,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
          {75.96, "this is the angle to the plane: how far does the normal lean from straight up"}}},
        {"No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
         [] {
-          const auto [x, y, z] = numbers_of(128, 128, 255);
+          const auto [x, y, z] = normal_of_color(Rgb{128 / 255., 128 / 255., 1});
           return atan2(std::hypot(x, y), z) / radian;
         },
         {"degrees", 0.02},

@@ -156,7 +156,7 @@ Image asked() {
 
 /// The law is about what a function returns and how often it asks.
 Exercise with_calls(Exercise of) {
-  of.verdict = [verdict = of.verdict](const std::any& yours) { return verdict(with_count(yours)); };
+  of.values = [values = of.values](const std::any& yours) { return values(with_count(yours)); };
   of.draw = [draw = of.draw](const std::any& yours) { return draw(with_count(yours)); };
   return of;
 }

@@ -5,10 +5,8 @@
 #include <any>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <functional>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -40,14 +38,20 @@ struct KnownMistake {
   Verdict verdict;
 };
 
-/// An exercise: a function to write, its laws, and the chapter's lesson that calls it. `yours` is
-/// a std::function. Errors: std::bad_any_cast if it has other arguments or another result.
+/// An exercise: a function to write, its law, and the chapter's lesson that calls it. `yours` is a
+/// std::function, or empty for the right one. Errors: std::bad_any_cast if it has other arguments
+/// or another result.
 struct Exercise {
-  std::function<Verdict(const std::any& yours)> verdict;
-  std::function<Image(const std::any& yours)> draw;  ///< an empty any: with the right function
-  std::function<std::vector<KnownMistake>()> mistakes;
+  std::function<Trial()> trial;
+  std::function<std::vector<Value>(const std::any& yours)> values;  ///< at the places of the law
+  std::function<Image(const std::any& yours)> draw;
   std::function<std::any(double by)> nudged;  ///< the right function, all numbers off by this part
-  std::string id;                             ///< "02.1"
+  const std::any* start = nullptr;            ///< what students find
+  std::string id{};                           ///< "02.1"
+
+  /// @param yours  may also be Replayed values. Errors: std::runtime_error if there are too few
+  [[nodiscard]] Verdict verdict(const std::any& yours) const;
+  [[nodiscard]] std::vector<KnownMistake> mistakes() const;
 };
 
 /// Whether the picture shows no mistake: rounding may move a byte by one level and a few pixels to
@@ -88,24 +92,7 @@ struct ExercisesOfChapter {
   std::vector<Question> questions;
 
   ExercisesOfChapter(const std::string& chapter, std::vector<Exercise> all_exercises,
-                     std::vector<Question> all_questions)
-      : exercises(std::move(all_exercises)), questions(std::move(all_questions)) {
-    char number = '1', letter = 'a';
-    for (Exercise& one : exercises) {
-      const std::any& start = starts.at(static_cast<std::size_t>(number - '1'));
-      one.verdict = [of = one.verdict, &start](const std::any& yours) {
-        Verdict found = of(yours);
-        const bool named = !found.mistake.empty() && !found.in_parts;
-        if (!found.right && !named && found.values == of(start).values) {
-          found.mistake = "unchanged; your function returns what it returned when you got it";
-          found.fact = "";
-        }
-        return found;
-      };
-      one.id = chapter + "." + number++;
-    }
-    for (Question& one : questions) one.id = chapter + "." + letter++;
-  }
+                     std::vector<Question> all_questions);
 };
 [[nodiscard]] const ExercisesOfChapter& exercises_of_chapter();
 
@@ -114,34 +101,14 @@ struct Replayed {
   std::string values;
 };
 
-/// So many values of them. Errors: std::runtime_error if there are fewer.
-template <class Out>
-[[nodiscard]] std::vector<Out> values_of(const Replayed& replayed, std::size_t count) {
-  static_assert(std::is_trivially_copyable_v<Out>);
-  if (replayed.values.size() < count * sizeof(Out))
-    throw std::runtime_error("there are too few values");
-  std::vector<Out> values;
-  for (const char* at = replayed.values.data(); values.size() < count; at += sizeof(Out)) {
-    std::conditional_t<std::is_same_v<Out, bool>, char, Out> value{};  // no other byte is a bool
-    std::memcpy(&value, at, sizeof value);
-    values.push_back(static_cast<Out>(value));
-  }
-  return values;
-}
-
 /// The value with each of its numbers off by this part; what counts things is not.
 template <class Out>
-[[nodiscard]] Out nudged(const Out& value, double by) {
-  const auto off = [by](double number) {
-    return std::isfinite(number) ? number + by * max(1.0, abs(number)) : number;
-  };
-  if constexpr (std::is_integral_v<Out>) {
-    return value;
-  } else if constexpr (std::is_arithmetic_v<Out>) {
-    return static_cast<Out>(off(double(value)));
-  } else {
-    return std::apply([&](auto... number) { return Out{off(number)...}; }, parts(value));
-  }
+[[nodiscard]] Out nudged(const Out& out, double by) {
+  if constexpr (std::is_integral_v<Out>) return out;
+  Value value = value_of(out);
+  for (double& number : value.numbers)
+    if (std::isfinite(number)) number += by * max(1.0, abs(number));
+  return typed<Out>(value);
 }
 
 /// An exercise from its law and from the lesson that calls `hook` while it is drawn: the student's
@@ -154,13 +121,12 @@ template <class Out, class... Args>
     return yours.has_value() ? std::any_cast<Function>(yours) : right;
   };
   Exercise made;
-  made.verdict = [law, function_in](const std::any& yours) {
-    if (const auto* replayed = std::any_cast<Replayed>(&yours))
-      return judge(law, values_of<Out>(*replayed, law.places.size()));
+  made.values = [places = law.places, function_in](const std::any& yours) {
     const Function function = function_in(yours);
-    std::vector<Out> values;
-    for (const auto& place : law.places) values.push_back(std::apply(function, place.at));
-    return judge(law, values);
+    std::vector<Value> values;
+    for (const auto& place : places)
+      values.push_back(value_of<Out>(std::apply(function, place.at)));
+    return values;
   };
   made.draw = [&hook, draw = std::move(draw), function_in](const std::any& yours) {
     hook = function_in(yours);
@@ -171,12 +137,7 @@ template <class Out, class... Args>
   made.nudged = [right = law.right](double by) {
     return std::any(Function([=](Args... at) { return nudged<Out>(right(at...), by); }));
   };
-  made.mistakes = [law = std::move(law)] {
-    std::vector<KnownMistake> known;
-    for (const Slip<Out>& slip : slips_at_all_places(law).rows)
-      known.push_back({slip.word, judge(law, slip.values)});
-    return known;
-  };
+  made.trial = [law = std::move(law)] { return trial_of(law); };
   return made;
 }
 
@@ -197,17 +158,13 @@ template <class Lesson>
 /// Twelve gray panels of 100 x 100 pixels: light(panel, x, y) of each, x to the right, y upward.
 template <class Light>
 [[nodiscard]] Image panels(const Light& light) {
-  Image image(400, 300);
-  for (int row = 0; row < 300; ++row) {
-    for (int column = 0; column < 400; ++column) {
-      const int panel = row / 100 * 4 + column / 100;
-      const double x = (column % 100 + 0.5) / 100, y = 1 - (row % 100 + 0.5) / 100;
-      const bool is_edge = min(x, y) < 0.02;
-      const std::uint8_t byte = byte_of(is_edge ? 0 : light(panel, x, y));
-      image.at(column, row) = {byte, byte, byte};
-    }
-  }
-  return image;
+  return image_of(400, 300, [&](int column, int row) {
+    const int panel = row / 100 * 4 + column / 100;
+    const double x = (column % 100 + 0.5) / 100, y = 1 - (row % 100 + 0.5) / 100;
+    const bool is_edge = min(x, y) < 0.02;
+    const std::uint8_t byte = byte_of(is_edge ? 0 : light(panel, x, y));
+    return Rgb8{byte, byte, byte};
+  });
 }
 
 }  // namespace texmap::check

@@ -1,9 +1,7 @@
 // Judges a function by its values: at named places, against the right ones and against known
 // mistakes.
 #pragma once
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
@@ -14,105 +12,105 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/text.hpp"
 #include "math/color.hpp"
 #include "math/vec3.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap::check {
 
-/// The numbers that a list, a place, a vector or a color consists of.
-template <std::size_t N>
-[[nodiscard]] std::array<double, N> parts(const std::array<double, N>& list) {
-  return list;
-}
+/// The numbers that a number, a place, a vector or a color consists of.
 template <class Number>
 requires std::is_arithmetic_v<Number>
 [[nodiscard]] std::array<double, 1> parts(Number number) { return {double(number)}; }
 [[nodiscard]] inline std::array<double, 2> parts(const Uv<double>& uv) { return {uv.u, uv.v}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
+template <class Out>
+inline constexpr std::size_t count_of_parts = std::tuple_size_v<decltype(parts(Out{}))>;
 
-/// A value as the verdict prints it, with so many digits: "0.25", "(0.25, 0.5)", "yes".
-[[nodiscard]] inline std::string in_words(double value, int digits = 6) {
-  if (std::isnan(value)) return "no number (NaN)";
-  if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
-  if (std::abs(value) < 1e-15) return "0";  // -0, or what rounding leaves of 0
-  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
-  return whole ? text("%.0f", value) : text("%.*g", digits, value);
-}
-[[nodiscard]] inline std::string in_words(float value, int digits) {
-  return in_words(double(value), digits);
-}
-[[nodiscard]] inline std::string in_words(int value, int /*digits*/) {
-  return std::to_string(value);
-}
-[[nodiscard]] inline std::string in_words(bool value, int /*digits*/) {
-  return value ? "yes" : "no";
-}
-[[nodiscard]] std::string in_words(const auto& value, int digits) {
-  std::string words;
-  for (const double part : parts(value))
-    words += (words.empty() ? "(" : ", ") + in_words(part, digits);
-  return words + ")";
-}
+/// What a function returned, as the numbers that it consists of. What is known of values is in
+/// these, whatever the type, so that judge() is compiled once.
+struct Value {
+  std::array<double, 3> numbers{};
+  std::size_t count = 1;
 
-/// The largest difference of a part of two values; infinity where one of them is not a number and
-/// the other is.
-[[nodiscard]] inline double apart(double a, double b) {
-  if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
-  const double difference = std::abs(a - b);
-  return std::isnan(difference) ? infinity<double>() : difference;
+  [[nodiscard]] std::span<const double> parts() const { return {numbers.data(), count}; }
+};
+template <class Out>
+[[nodiscard]] Value value_of(const Out& out) {
+  Value value{.count = 0};
+  for (const double number : parts(out)) value.numbers[value.count++] = number;
+  return value;
 }
-template <class T>
-[[nodiscard]] double apart(const T& a, const T& b) {
-  if constexpr (std::is_arithmetic_v<T>) {
-    return apart(double(a), double(b));
+/// The value as what the function returned.
+template <class Out>
+[[nodiscard]] Out typed(const Value& value) {
+  if constexpr (std::is_arithmetic_v<Out>) {
+    return static_cast<Out>(value.numbers[0]);
   } else {
-    double largest = 0;
-    for (std::size_t i = 0; i < parts(a).size(); ++i)
-      largest = std::max(largest, apart(parts(a)[i], parts(b)[i]));
-    return largest;
+    return [&]<std::size_t... i>(std::index_sequence<i...>) { return Out{value.numbers[i]...}; }
+    (std::make_index_sequence<count_of_parts<Out>>());
   }
 }
+
+/// What the values of a function are, and what a student calls their numbers.
+struct Kind {
+  enum Form { number, whole, yes_or_no, list } form = number;
+  std::array<const char*, 3> names{"[0]", "[1]", "[2]"};
+};
+template <class Out>
+[[nodiscard]] Kind kind_of() {
+  if constexpr (std::is_same_v<Out, bool>) return {.form = Kind::yes_or_no};
+  if constexpr (std::is_integral_v<Out>) return {.form = Kind::whole};
+  if constexpr (std::is_arithmetic_v<Out>) return {.form = Kind::number};
+  if constexpr (std::is_same_v<Out, Uv<double>>) return {Kind::list, {"u", "v"}};
+  if constexpr (std::is_same_v<Out, Vec3<double>>) return {Kind::list, {"x", "y", "z"}};
+  if constexpr (std::is_same_v<Out, Rgb>) return {Kind::list, {"red", "green", "blue"}};
+  if constexpr (requires { Out::names; }) return {Kind::list, {Out::names[0], Out::names[1]}};
+}
+
+/// A number as the verdict prints it, with so many digits.
+[[nodiscard]] std::string in_words(double value, int digits = 6);
+
+/// The difference of two numbers; infinity where one of them is not a number and the other is.
+[[nodiscard]] double apart(double a, double b);
 
 /// True for values that differ by rounding alone, as by a calculation in float.
-template <class T>
-[[nodiscard]] bool alike(const T& a, const T& b) {
-  double size = 1;
-  if constexpr (std::is_arithmetic_v<T>) {
-    size = std::max(size, std::abs(double(a)));
-  } else {
-    for (const double part : parts(a)) size = std::max(size, std::abs(part));
-  }
-  return apart(a, b) <= 1e-6 * (size < infinity<double>() ? size : 1);
-}
+[[nodiscard]] bool alike(const Value& a, const Value& b);
+[[nodiscard]] bool alike(double a, double b);
 
 /// A mistake, what comes out of it at one place, and what comes out of its other spellings.
-template <class Out>
 struct Slip {
   std::string word;  ///< "u runs the other way: your map is mirrored"
-  std::vector<Out> values;
+  std::vector<Value> values;
 };
+using SlipTable = std::vector<Slip>;
+
+/// Adds rows to a table.
+void append(SlipTable& table, const SlipTable& more);
+/// Says the rule of all rows of a table: each gets the word "what is wrong: rule".
+void add_rule(SlipTable& table, const std::string& rule);
 
 /// The mistakes with a function, at one place; the same rows at each place. To add one, add a row
 /// {word, value} or {word, {value, value}} to the exercise's table, or a whole table. Rows with one
 /// rule are a table {rule, {row, row}}: each gets the word "what is wrong: rule".
 template <class Out>
 struct Slips {
-  std::vector<Slip<Out>> rows;
+  SlipTable rows;
 
   Slips() = default;
-  Slips(std::string word, const Out& value) : rows{{std::move(word), {value}}} {}
-  Slips(std::string word, std::vector<Out> values) : rows{{std::move(word), std::move(values)}} {}
+  Slips(std::string word, const Out& value) : rows{{std::move(word), {value_of(value)}}} {}
+  Slips(std::string word, const std::vector<Out>& values) : rows{{std::move(word), {}}} {
+    for (const Out value : values) rows[0].values.push_back(value_of(value));
+  }
   Slips(std::initializer_list<Slips> tables) {
-    for (const Slips& table : tables) *this += table;
+    for (const Slips& table : tables) append(rows, table.rows);
   }
   Slips(const std::string& rule, std::initializer_list<Slips> tables) : Slips(tables) {
-    for (Slip<Out>& row : rows) row.word += (row.word.empty() ? "" : ": ") + rule;
+    add_rule(rows, rule);
   }
   Slips& operator+=(const Slips& more) {
-    rows.insert(rows.end(), more.rows.begin(), more.rows.end());
+    append(rows, more.rows);
     return *this;
   }
 };
@@ -125,8 +123,10 @@ template <class Combine, class Out, class... Outs>
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& [word, values] = all.rows.emplace_back();
     word = table.rows[row].word;
-    for (std::size_t i = 0; i < table.rows[row].values.size(); ++i)
-      values.push_back(combine(table.rows[row].values[i], others.rows[row].values[i]...));
+    for (std::size_t i = 0; i < table.rows[row].values.size(); ++i) {
+      values.push_back(value_of(combine(typed<Out>(table.rows[row].values[i]),
+                                        typed<Outs>(others.rows[row].values[i])...)));
+    }
   }
   return all;
 }
@@ -157,6 +157,41 @@ struct Law {
   std::function<std::string(Args...)> edge{};  ///< the word of values that are wrong there alone
 };
 
+/// The law at its places, without the types of the arguments: what judge() reads.
+struct Trial {
+  struct At {
+    const char* law;
+    Value right;
+    int count;         ///< how many there are, where the value numbers one; or 0
+    std::string edge;  ///< the word of values that are wrong at such places alone
+  };
+  Kind kind;
+  std::vector<At> places;
+  SlipTable slips;                                          ///< with their values at all places
+  std::function<Value(const Value&, std::size_t at)> seen;  ///< what counts; empty: all of it
+};
+
+/// Adds a place's table to that of all places, in which each value of a mistake has its own row.
+void add_place(SlipTable& all, const SlipTable& table);
+
+template <class Out, class... Args>
+[[nodiscard]] Trial trial_of(const Law<Out, Args...>& law) {
+  Trial trial{kind_of<Out>(), {}, {}, {}};
+  for (const auto& [name, at] : law.places) {
+    trial.places.push_back({name, value_of<Out>(std::apply(law.right, at)),
+                            law.count ? std::apply(law.count, at) : 0,
+                            law.edge ? std::apply(law.edge, at) : ""});
+    add_place(trial.slips, std::apply(law.slips, at).rows);
+  }
+  if (law.seen) {
+    trial.seen = [&law](const Value& value, std::size_t place) {
+      const auto at = [&](const auto&... in) { return law.seen(typed<Out>(value), in...); };
+      return value_of<Out>(std::apply(at, law.places[place].at));
+    };
+  }
+  return trial;
+}
+
 /// A verdict in words.
 struct Verdict {
   bool right = true;
@@ -171,190 +206,15 @@ struct Verdict {
   std::string values;  ///< those of the function at all places, as bytes
 };
 
-/// Adds a place's table to that of all places, in which each value of a mistake has its own row.
-template <class Out>
-void add_place(Slips<Out>& all, const Slips<Out>& table) {
-  std::size_t row = 0;
-  for (const Slip<Out>& slip : table.rows) {
-    for (const Out value : slip.values) {
-      if (row == all.rows.size()) all.rows.push_back({slip.word, {}});
-      all.rows[row++].values.push_back(value);
-    }
-  }
-}
-
-/// The law's table, each mistake with its values at all places.
-template <class Out, class... Args>
-[[nodiscard]] Slips<Out> slips_at_all_places(const Law<Out, Args...>& law) {
-  Slips<Out> all;
-  for (const auto& place : law.places) add_place(all, std::apply(law.slips, place.at));
-  return all;
-}
-
-/// Whether one of the numbers that values consist of is the same at every place.
-template <class Out>
-[[nodiscard]] bool agree(const std::vector<Out>& a, const std::vector<Out>& b, std::size_t part) {
-  return std::equal(a.begin(), a.end(), b.begin(), [=](const Out& x, const Out& y) {
-    return alike(parts(x)[part], parts(y)[part]);
-  });
-}
-
-/// What a student calls it.
-template <class Out>
-[[nodiscard]] const char* name_of_part(std::size_t part) {
-  if constexpr (std::is_same_v<Out, Uv<double>>) return std::array{"u", "v"}[part];
-  if constexpr (std::is_same_v<Out, Vec3<double>>) return std::array{"x", "y", "z"}[part];
-  if constexpr (std::is_same_v<Out, Rgb>) return std::array{"red", "green", "blue"}[part];
-  if constexpr (requires { Out::names; }) return Out::names[part];
-  return std::array{"[0]", "[1]", "[2]"}[part];
-}
-
-/// What happens to any value of several numbers: two of them are exchanged, one is a copy of
-/// another, has the wrong sign or is missing.
-template <class Out>
-[[nodiscard]] Slips<Out> slips_of_parts(const Out& right) {
-  const auto all = parts(right);
-  const auto with = [&](std::size_t i, double of_i, std::size_t k, double of_k) {
-    auto numbers = all;
-    numbers[i] = of_i;
-    numbers[k] = of_k;
-    return std::apply([](auto... number) { return Out{number...}; }, numbers);
-  };
-  Slips<Out> slips;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string name = name_of_part<Out>(i);
-    slips += {{"the sign of " + name + " is wrong", with(i, -all[i], i, -all[i])},
-              {name + " is missing, 0 everywhere", with(i, 0, i, 0)}};
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (k == i) continue;
-      const std::string other = name_of_part<Out>(k);
-      if (i < k) {
-        slips += {text("%s and %s are exchanged", name.c_str(), other.c_str()),
-                  with(i, all[k], k, all[i])};
-      }
-      slips +=
-          {text("%s is a copy of %s", name.c_str(), other.c_str()), with(i, all[k], k, all[k])};
-    }
-  }
-  return slips;
-}
-
-/// A mistake in one number of several, such as u, while the others are right or have mistakes of
-/// their own: the words of those rows that are wrong in this number alone.
-template <class Out>
-[[nodiscard]] std::string mistakes_in_parts(const std::vector<Out>& right,
-                                            const std::vector<Out>& values,
-                                            const Slips<Out>& known) {
-  std::string words;
-  const std::size_t count = parts(right[0]).size();
-  for (std::size_t part = 0; part < count; ++part) {
-    for (const Slip<Out>& slip : known.rows) {
-      bool explains = agree(values, slip.values, part) && !agree(right, slip.values, part);
-      for (std::size_t other = 0; other < count; ++other)
-        explains = explains && (other == part || agree(right, slip.values, other));
-      if (!explains) continue;
-      if (words.find(slip.word) == std::string::npos)
-        words += (words.empty() ? "" : "; and ") + std::string(slip.word);
-      break;
-    }
-  }
-  return words;
-}
-
-/// "2 times the right value at every place", if it is, or empty.
-template <class Out>
-[[nodiscard]] std::string factor_of(const std::vector<Out>& right, const std::vector<Out>& values) {
-  double factor = 0;
-  bool is_known = false;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    for (std::size_t part = 0; part < parts(right[i]).size(); ++part) {
-      const double of_right = parts(right[i])[part], yours = parts(values[i])[part];
-      if (!is_known && !alike(of_right, 0.0)) {
-        factor = yours / of_right;
-        is_known = true;
-      }
-      if (!alike(factor * of_right, yours)) return "";
-    }
-  }
-  if (factor == 0 || !std::isfinite(factor)) return "";
-  return in_words(factor, 4) + " times the right value at every place";
-}
-
-/// What is to be seen in wrong values, whatever the mistake is.
-template <class Out>
-[[nodiscard]] std::string fact_of(const std::vector<Out>& right, const std::vector<Out>& values) {
-  std::string good, bad;
-  bool is_nan = false;
-  for (std::size_t part = 0; part < parts(right[0]).size(); ++part) {
-    (agree(right, values, part) ? good : bad) += std::string(" ") + name_of_part<Out>(part);
-    for (const Out& value : values) is_nan = is_nan || std::isnan(parts(value)[part]);
-  }
-  if (is_nan) return "there is no number in it (NaN): the root of one below 0, 0 / 0, acos of 2";
-  if (std::all_of(values.begin(), values.end(), [&](const Out& v) { return alike(v, values[0]); }))
-    return "it is the same at every place, whatever your function gets";
-  return good.empty() ? "" : "right at every place:" + good + "; wrong:" + bad;
-}
-
 /// Judges a function's values at all places.
 ///
 /// A known mistake is named if it is wrong somewhere and gives the same at every place: of several,
 /// the first.
-template <class Out, class... Args>
-[[nodiscard]] Verdict judge(const Law<Out, Args...>& law, const std::vector<Out>& values) {
-  Verdict verdict;
-  verdict.places = values.size();
-  const auto seen = [&law](const Out& value, std::size_t place) {
-    const auto at = [&](const auto&... in) { return law.seen(value, in...); };
-    return law.seen ? std::apply(at, law.places[place].at) : value;
-  };
-  std::vector<Out> all_right, yours;
-  std::string edge;
-  Slips<Out> of_parts;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Out value = values[i];
-    verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
-    const Out right = std::apply(law.right, law.places[i].at);
-    if constexpr (!std::is_arithmetic_v<Out>) add_place(of_parts, slips_of_parts(right));
-    all_right.push_back(seen(right, i));
-    yours.push_back(seen(value, i));
-    if (alike<Out>(all_right.back(), yours.back())) continue;
-    const std::string word = law.edge ? std::apply(law.edge, law.places[i].at) : "";
-    edge = verdict.right || edge == word ? word : "";
-    if (verdict.right) {
-      verdict.right = false;
-      verdict.law = law.places[i].law;
-      for (const int digits : {6, 9, 17}) {  // more where they would look equal
-        verdict.expected = in_words(right, digits);
-        verdict.got = in_words(value, digits);
-        if (verdict.expected != verdict.got) break;
-      }
-      if constexpr (std::is_same_v<Out, int>) {
-        const int count = law.count ? std::apply(law.count, law.places[i].at) : 0;
-        if (count > 0 && (value < 0 || value >= count))
-          verdict.got += text(", outside: there are 0 to %d", count - 1);
-      }
-    }
-    ++verdict.wrong;
-  }
-  if (verdict.right) return verdict;
-  Slips<Out> known = slips_at_all_places(law);
-  known += of_parts;
-  for (Slip<Out>& slip : known.rows)
-    for (std::size_t i = 0; i < values.size(); ++i) slip.values[i] = seen(slip.values[i], i);
-  for (const Slip<Out>& slip : known.rows) {
-    if (!std::equal(yours.begin(), yours.end(), slip.values.begin(), alike<Out>)) continue;
-    verdict.mistake = slip.word;
-    break;
-  }
-  if (verdict.mistake.empty()) verdict.mistake = edge;
-  if constexpr (!std::is_same_v<Out, bool>) {
-    verdict.fact = factor_of(all_right, yours);
-    if (!verdict.mistake.empty()) return verdict;
-    verdict.mistake = mistakes_in_parts(all_right, yours, known);
-    verdict.in_parts = !verdict.mistake.empty();
-    if (!verdict.in_parts && verdict.fact.empty()) verdict.fact = fact_of(all_right, yours);
-  }
-  return verdict;
-}
+[[nodiscard]] Verdict judge(const Trial& trial, const std::vector<Value>& values);
+
+/// Values as bytes: Verdict::values.
+[[nodiscard]] std::string bytes_of(const std::vector<Value>& values);
+/// The values of a verdict again. Errors: std::runtime_error if there are too few for the trial.
+[[nodiscard]] std::vector<Value> values_from(const std::string& bytes, const Trial& trial);
 
 }  // namespace texmap::check

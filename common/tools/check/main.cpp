@@ -49,7 +49,7 @@ struct Findings {
 
   Findings(Verdict of_values, const Image& yours, const Image& right)
       : verdict(std::move(of_values)),
-        different(measure(yours, right).pixels_different),
+        different(measure(yours, right, {}, Detail::pixels).pixels_different),
         pixels(right.pixels.size()),
         picture_right(same_picture(yours, right)) {}
 
@@ -168,8 +168,7 @@ void judge_values(const Exercise& exercise, const Request& request) {
 }
 
 /// The word of a wrong number that is usual, or empty.
-std::string known_mistake(const Question& question, double predicted) {
-  const double answer = question.answer();
+std::string known_mistake(const Question& question, double answer, double predicted) {
   const auto is_near = [&](double number, double right, double share) {
     return apart(number, right) <= share * std::abs(right);
   };
@@ -200,7 +199,7 @@ int check_answer(const Question& question, double predicted, bool again) {
     words += text(" (%.3g %%)", 100 * off / std::abs(answer));
   words += ".\n";
   if (!right) {
-    const std::string known = known_mistake(question, predicted);
+    const std::string known = known_mistake(question, answer, predicted);
     if (!known.empty()) words += "  This is a known mistake: " + known + ".\n";
     if (!again) {
       words += (known.empty() ? "  Look again: " + question.look + "\n" : "") +
