@@ -77,4 +77,11 @@ template <class Lesson>
 [[nodiscard]] std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
                                                        Chosen& chosen);
 
+/// Lets a lesson read its textures by the filter that the user's budget allows, if there is one.
+template <class Lesson>
+void filter_by_budget(Lesson& lesson, Chosen& chosen) {
+  const auto plan = plan_by_budget([&] { return planned_scene(lesson); }, chosen);
+  if (plan) read_by(lesson, plan->filter, plan->taps);
+}
+
 }  // namespace texmap::chapter_09

@@ -49,12 +49,7 @@ template <class Lesson>
 /// Draws and saves the sheet; one picture where the user chose a filter or a budget.
 template <class Lesson>
 void show_filters(Lesson& lesson, Session& session) {
-  const auto scene = [&lesson] { return planned_scene(lesson); };
-  if (const auto plan = plan_by_budget(scene, session.chosen)) {
-    read_by(lesson, plan->filter, plan->taps);
-    return session.save(session.draw(lesson));
-  }
-  if (session.chosen.was_given("--filter")) {
+  if (session.chosen.was_given("--filter") || !session.settings.budget.is_exact()) {
     session.chosen.default_size(800, 600);
     return session.save(session.draw(lesson));
   }

@@ -57,7 +57,7 @@ void show_bumps(Lesson& lesson, Session& session) {
   };
   switch (lesson.bump.picture) {
     case BumpPicture::globe:
-      return session.draw_all(lesson);
+      return session.save_frames(lesson);
     case BumpPicture::sheet:
       size(1600, 868);
       return drawn(sheet_of_readings);

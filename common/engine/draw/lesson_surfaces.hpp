@@ -36,14 +36,13 @@ template <class Real, HasSurfaces Lesson>
   }
 }
 
-/// The surfaces of a lesson as something that can be rendered, with single numbers.
+/// The surfaces of a lesson as something that can be rendered, in double, whatever the number is.
 template <class Lesson>
 struct SurfaceColors {
   const Lesson& lesson;
   Shown shown;
 
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+  [[nodiscard]] Rgb operator()(const Ray<double>& ray) const {
     return color_of_surface(surface_along(lesson, ray), shown);
   }
 };

@@ -26,27 +26,23 @@ inline constexpr std::array<Rgb, 16> object_colors = {{{0.9, 0.1, 0.1},
                                                        {0.4, 0.4, 0.45}}};
 
 /// A surface as a color; the sky is black. Coordinates beyond 0 to 1 show their fractional part.
-template <class Real>
-[[nodiscard]] Color<Real> color_of_surface(const Surface<Real>& surface, Shown shown) {
-  if (surface.object < 0) return gray(Real(0));
-  const auto on_picture = [](const Real& x) {
-    return x >= Real(0) && x <= Real(1) ? x : x - floor(x);
-  };
+[[nodiscard]] inline Rgb color_of_surface(const Surface<double>& surface, Shown shown) {
+  if (surface.object < 0) return gray(0.0);
+  const auto on_picture = [](double x) { return x >= 0 && x <= 1 ? x : x - floor(x); };
   switch (shown) {
     case Shown::normal: {
-      const Vec3<Real> half = (surface.normal + Vec3<Real>{Real(1), Real(1), Real(1)}) * Real(0.5);
+      const Vec3d half = (surface.normal + Vec3d{1, 1, 1}) * 0.5;
       return {half.x, half.y, half.z};
     }
     case Shown::uv:
-      if (!surface.has_uv()) return gray(Real(0.5));
-      return {on_picture(surface.uv.u), on_picture(surface.uv.v), Real(0)};
+      if (!surface.has_uv()) return gray(0.5);
+      return {on_picture(surface.uv.u), on_picture(surface.uv.v), 0};
     case Shown::object:
-      return number_cast<Real>(
-          object_colors[static_cast<std::size_t>(surface.object) % object_colors.size()]);
+      return object_colors[static_cast<std::size_t>(surface.object) % object_colors.size()];
     case Shown::color:
       break;
   }
-  return gray(Real(0));
+  return gray(0.0);
 }
 
 }  // namespace texmap

@@ -32,14 +32,7 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
       return timed(static_cast<double>(width) * height, [&](RenderSettings render_settings) {
         render_settings.samples = 1;  // through the center of each pixel
         const View<> seen = view(lesson.stage.camera, width, height);
-        const SurfaceColors<Lesson> surfaces{lesson, settings.show};
-        if constexpr (has_only_double<Lesson>) {
-          return render<double>(surfaces, seen, render_settings);
-        } else {  // packs would draw the same, so single numbers do
-          const NumberKind number = settings.number;
-          return draw_single(surfaces, seen, is_float(number) ? NumberKind::float_ : number,
-                             render_settings);
-        }
+        return render<double>(SurfaceColors<Lesson>{lesson, settings.show}, seen, render_settings);
       });
     }
   }
@@ -105,12 +98,12 @@ void build(Lesson& lesson, Chosen& chosen) {
 }
 
 template <class Lesson>
-void Session::draw_all(Lesson& lesson) {
+void Session::save_frames(Lesson& lesson) {
   Turntable* turn = chosen.turntable;
   if (turn == nullptr || turn->frames == 0) return save(draw(lesson));
   for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
   for (turn->frame = 0; turn->frame < turn->frames; ++turn->frame) {
-    build(lesson, chosen);
+    if (turn->frame > 0) build(lesson, chosen);
     save(draw(lesson), frame_suffix(turn->frame));
   }
 }
@@ -132,7 +125,7 @@ void draw_and_save(Lesson& lesson, Session& session) {
   if constexpr (draws_itself<Lesson>) {
     lesson.draw_all(session);
   } else {
-    session.draw_all(lesson);
+    session.save_frames(lesson);
   }
 }
 
@@ -156,8 +149,8 @@ std::function<Image()> drawing_by(const std::string& chapter,
                                   const std::vector<std::string>& words) {
   const auto ready = std::make_shared<Ready<Lesson>>(chapter, words);
   ready->chosen.check();
-  // Its scene, in place of its sheet.
-  if (draws_itself<Lesson>) ready->chosen.default_size(800, 600);
+  // Its scene, in place of its sheet, which is wider.
+  if (draws_itself<Lesson> && Lesson::about.size.width > 800) ready->chosen.default_size(800, 600);
   build(ready->lesson, ready->chosen);
   return [ready] { return Session(ready->chosen).draw(ready->lesson); };
 }
@@ -183,7 +176,10 @@ Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale,
     lesson.sampling.lens.focus_distance *= scale;
     lesson.sampling.lens.shift *= scale;
   }
-  if constexpr (requires { lesson.bumps; }) lesson.bumps.relief *= scale;
+  if constexpr (requires { lesson.bumps; }) {
+    lesson.bumps.relief *= scale;
+    lesson.bumps.step *= scale;
+  }
   Settings& settings = chosen.settings;
   settings.number = in_float ? NumberKind::float_ : NumberKind::double_;
   if (!chosen.was_given("--samples")) settings.samples = std::min(settings.samples, 4);

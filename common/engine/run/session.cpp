@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "engine/draw/progress.hpp"
-#include "engine/draw/surfaces.hpp"
 #include "engine/files/save_png.hpp"
 #include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
@@ -35,10 +34,6 @@ void print_about(const std::string& line) {
 }
 
 }  // namespace
-
-Surface<double> LessonHooks::first_surface(const Ray<double>& /*ray*/) const {
-  throw std::logic_error("this lesson does not override first_surface()");
-}
 
 View<> Session::view(const Camera& camera, int width, int height) {
   seen_by_camera_ = true;

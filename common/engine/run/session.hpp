@@ -30,7 +30,7 @@ class Session {
   /// Draws and saves the lesson's picture, or all those of its turntable. Defined in
   /// run_chapter.hpp.
   template <class Lesson>
-  void draw_all(Lesson& lesson);
+  void save_frames(Lesson& lesson);
   /// The view of a lesson's camera for a picture of this size, or the user's close-up of it.
   /// Errors: UsageError if there is no such pixel.
   [[nodiscard]] View<> view(const Camera& camera, int width, int height);

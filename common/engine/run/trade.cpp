@@ -118,7 +118,7 @@ TradePart same_picture(Collector& collect, const std::vector<Instructions>& pack
     words.insert(words.end(), {"--spheres", form});
     collect.add(part, words);
   }
-  if (!collect.choices("--budget").empty()) {
+  if (!collect.choices("--budget").empty() && collect.choices("--filter").empty()) {
     for (const char* budget : {"texels=0.01", "texels=0.1", "levels=1", "levels=4"})
       collect.add(part, {"--budget", budget});
   }
@@ -141,6 +141,9 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
     for (const int each : {1, 4, 16}) collect.add(part, many(nearest, each));
     for (const std::string& filter : filters) {
       if (filter != "nearest") collect.add(part, {"--filter", filter});
+    }
+    if (!filters.empty() && !collect.choices("--budget").empty()) {  // it chooses the filter
+      for (const char* budget : {"levels=1", "levels=4"}) collect.add(part, {"--budget", budget});
     }
     return part;
   }

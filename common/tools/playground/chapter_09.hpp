@@ -5,6 +5,16 @@
 #include <tuple>
 #include <utility>
 
+#include "09_texture_filtering/sheet.hpp"
+
+namespace texmap::chapter_09 {
+
+struct Lesson;
+/// A page chooses the filter by its knob.
+inline void filter_by_budget(Lesson&, Chosen&) {}
+
+}  // namespace texmap::chapter_09
+
 #include "09_texture_filtering/lesson.hpp"
 #include "figure.hpp"
 #include "live.hpp"
