@@ -64,6 +64,11 @@ TEST_CASE_TEMPLATE("rays meet a cylinder and a rectangle where they should", Rea
     CHECK(first(distance_to(can, ray)) == static_cast<Scalar<Real>>(row.can));
     CHECK(first(distance_to(frame, ray)) == static_cast<Scalar<Real>>(row.frame));
   }
+  // A ray that goes on starts on the side that it came from.
+  for (const Scalar<Real> side : {1, -1}) {
+    const Ray<Real> ray{{Real(0), Real(1), Real(side)}, {Real(0), Real(0), Real(-side)}};
+    CHECK(first(hit_at(frame, ray, Real(1)).outside.z) * side > 0);
+  }
 }
 
 TEST_CASE("a cylinder is met first where a finer number meets it, within the stated bounds") {
@@ -104,87 +109,21 @@ TEST_CASE("a cylinder is met first where a finer number meets it, within the sta
   CHECK(met > 5000);
 }
 
-TEST_CASE("a rectangle is met where a finer number meets it, within the stated bound, and left") {
-  Dice dice(12);
-  int met = 0;
-  for (int i = 0; i < 40000; ++i) {
-    const auto any_size = [&dice] { return static_cast<double>(dice.power_of_ten(0, 2)); };
-    const auto right = dice.direction<long double>();
-    const double half_width = any_size(), half_height = any_size();
-    const Rectangle frame{.center = point_within(dice, any_size()),
-                          .right = number_cast<double>(right) * half_width,
-                          .up = number_cast<double>(dice.across(right)) * half_height};
-    const Vec3d origin = point_within(dice, any_size());
-    const Vec3d aim = frame.center + frame.right * static_cast<double>(dice.uniform(-1.2L, 1.2L)) +
-                      frame.up * static_cast<double>(dice.uniform(-1.2L, 1.2L));
-    const Ray<double> ray{origin, normalize(aim - origin)};
-    const double distance = distance_to(frame, ray);
-    const auto normal =
-        cross(number_cast<long double>(frame.right), number_cast<long double>(frame.up));
-    const long double slant = dot(normal, number_cast<long double>(ray.direction));
-    if (std::abs(slant) < 0.0175L * length(normal)) continue;
-    const auto to_center =
-        number_cast<long double>(frame.center) - number_cast<long double>(origin);
-    const long double expected = dot(normal, to_center) / slant;
-    const auto off = number_cast<long double>(ray.direction) * expected - to_center;
-    const auto part_of = [&](const Vec3d& half) {
-      const auto exact = number_cast<long double>(half);
-      return std::abs(dot(off, exact) / dot(exact, exact));
-    };
-    const long double outward = std::max(part_of(frame.right), part_of(frame.up)) - 1;
-    if (std::abs(outward) < 1e-9L) continue;
-    REQUIRE((distance < infinity<double>()) == (outward < 0));
-    if (outward > 0) continue;
-    ++met;
-    const double lengths = length(origin) + length(frame.center) + half_width + half_height;
-    REQUIRE(std::abs(distance - static_cast<double>(expected)) <= 1e-14 * lengths);
-    const auto outside = number_cast<long double>(hit_at(frame, ray, distance).outside);
-    REQUIRE(dot(outside - number_cast<long double>(frame.center), normal) * slant < 0);
-  }
-  CHECK(met > 5000);
-}
-
-TEST_CASE("a label is neither stretched nor mirrored: its lengths are the cylinder's") {
-  const Cylinder can{.center = {1, 2, 3}, .radius = 2, .half_height = 3};
-  const CylinderMapping label{can};
-  Hit<double> hit;
-  const auto at = [&](double turn, double y) {
-    const double angle = 2 * std::numbers::pi * turn;
-    hit.point = can.center + Vec3d{-2 * std::cos(angle), y, 2 * std::sin(angle)};
-    return label(hit);
-  };
-  CHECK(at(0.25, 0).u == doctest::Approx(0.25).epsilon(1e-15));  // towards +z
-  CHECK(at(0, 0).u == 0);
-  CHECK(at(0, 0).v == 0.5);
-  CHECK(at(0, 3).v == 1);
-  CHECK(at(0, -3).v == 0);
-  for (int i = 0; i < 14; ++i) {
-    const double turn = 0.01 + 0.07 * i;
-    CHECK(at(turn, 0.5).u == doctest::Approx(turn).epsilon(1e-14));
-    CHECK(at(turn, 1.5).v == doctest::Approx(0.75).epsilon(1e-14));
-  }
-  const RectangleMapping picture{{.center = {1, 2, 3}, .right = {0, 0, -2}, .up = {0, 3, 0}}};
-  hit.point = {1, 3.5, 4};
-  const Uv<double> uv = picture(hit);
-  CHECK(uv.u == 0.25);
-  CHECK(uv.v == 0.75);
-}
-
 TEST_CASE(
     "the projections to a cylinder and to a plane are the label of a can and a board's picture") {
-  const CylinderMapping label{{.center = {}, .radius = 2, .half_height = 1}};
-  const RectangleMapping board{{.center = {}, .right = {1, 0, 0}, .up = {0, 0, -1}}};
+  const Point center{1, 2, 3};
+  const CylinderMapping label{{.center = center, .radius = 2, .half_height = 3}};
+  const RectangleMapping board{{.center = center, .right = {2, 0, 0}, .up = {0, 0, -2}}};
   Dice dice;
   for (int i = 0; i < 2000; ++i) {
     const auto direction = number_cast<double>(dice.direction());
-    const double from_axis = std::hypot(direction.x, direction.z);
-    const double out = 2 / from_axis;
+    const double out = 2 / std::hypot(direction.x, direction.z);
     Hit<double> hit;
-    hit.point = {out * direction.x, direction.y, out * direction.z};
+    hit.point = center + Vec3d{out * direction.x, 3 * direction.y, out * direction.z};
     const Uv<double> on_can = label(hit), cylinder = project(Projection::cylinder, direction);
     CHECK(std::abs(on_can.u - cylinder.u) < 1e-15);
     CHECK(std::abs(on_can.v - cylinder.v) < 1e-15);
-    hit.point = {direction.x, -1, direction.z};  // straight down
+    hit.point = center + Vec3d{2 * direction.x, -1, 2 * direction.z};  // straight down
     const Uv<double> on_board = board(hit), plane = project(Projection::plane, direction);
     CHECK(std::abs(on_board.u - plane.u) < 1e-15);
     CHECK(std::abs(on_board.v - plane.v) < 1e-15);
@@ -241,8 +180,6 @@ TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, 
   const Row table[] = {
       {"from above", 0, {{0, 2, 0}, {0, -1, 0}}, 2},
       {"from above, aslant", 0, {{1, 3, 5}, {2, -1, -7}}, 3},
-      {"from below", 0, {{0, -2, 0}, {0, 1, 0}}, 2},
-      {"a floor higher up", 1.5, {{0, 2, 0}, {0, -1, 0}}, Real(0.5)},
       {"from above, upward", 0, {{0, 2, 0}, {0, 1, 0}}, miss},
       {"along it, above", 0, {{0, 2, 0}, {1, 0, 0}}, miss},
       {"along it, above, with a minus zero", 0, {{0, 2, 0}, {1, -Real(0), 0}}, miss},
