@@ -41,14 +41,16 @@ TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
   std::ifstream manifest(corpus + "manifest.tsv");
   std::string line;
   std::getline(manifest, line);
-  REQUIRE(line == "file\tsha256\texpected\twhy\twidth\theight\tbytes\tsplit\tlevel\trgb8_sha256");
+  REQUIRE(line ==
+          "file\tsha256\texpected\twhy\twidth\theight\tbytes\tsplit\tlevel\trgb8_sha256\tsaid");
   int loaded = 0, refused = 0;
   while (std::getline(manifest, line)) {
     CAPTURE(line);
-    std::array<std::string, 10> fields;
+    std::array<std::string, 11> fields;
     std::istringstream row(line);
     for (std::string& field : fields) REQUIRE(std::getline(row, field, '\t'));
-    const auto& [file, sum, expected, why, width, height, bytes, split, level, pixels] = fields;
+    const auto& [file, sum, expected, why, width, height, bytes, split, level, pixels, words] =
+        fields;
     const std::string path = corpus + file;
     REQUIRE(texmap::test::sha256(bytes_of(path)) == sum);
     if (expected == "load") {
@@ -61,32 +63,13 @@ TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
     } else {
       const std::string said = error_of_loading(path);
       INFO("said: ", said);
-      CHECK(said.find("cannot load texture '" + path + "': ") == 0);
-      CHECK(said.size() > path.size() + 33);
+      CHECK(said.starts_with("cannot load texture '" + path + "': " + words));
       CHECK(said.find('\n') == std::string::npos);
       ++refused;
     }
   }
   CHECK(loaded == 35);
   CHECK(refused == 39);
-}
-
-// What damaged.tsv does not have.
-TEST_CASE("an error names the thing that is wrong") {
-  const std::vector<std::pair<std::string, std::string>> table = {
-      {"bad_chunklen_ffffffff.png", "IDAT chunk should have 4294967295 bytes"},
-      {"bad_jpg_12bit.jpg", "12 bits a channel"},
-      {"bad_jpg_2comp.jpg", "2 color channels"},
-      {"bad_jpg_trunc_half.jpg", "cut short"},
-      {"bad_one_byte.png", "not a PNG or JPEG file"},
-      {"fmt_html.jpg", "a web page, not a PNG or JPEG file"},
-  };
-  for (const auto& row : table) {
-    const std::string said = error_of_loading(corpus + row.first);
-    CAPTURE(row.first);
-    INFO("said: ", said);
-    CHECK(said.find(row.second) != std::string::npos);
-  }
 }
 
 TEST_CASE(
