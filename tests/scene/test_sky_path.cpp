@@ -148,28 +148,6 @@ TEST_CASE("all ways to draw directions find the same light, under every sky and 
   }
 }
 
-TEST_CASE("light between balls is found by all ways where the sky behind them is black") {
-  LightImage one_texel(8, 4);
-  one_texel.at(0, 1) = gray(20.0F);
-  const SkyLight sky(Environment(std::move(one_texel)));
-  const Vec3d away = -sky.picture.from_map(direction_rtiow(Uv<double>{0.5 / 8, 0.625}));
-  const std::vector<Painted<Coat>> balls = {
-      {.shape = {}, .paint = {{1, 1, 1}}},
-      {.shape = {.center = away * 3.0, .radius = 1.5}, .paint = {{1, 1, 1}}}};
-  const Ray<double> ray = {away * 1.4, -away};  // to the side of the first that faces no light
-  const auto light = [&](SkyLighting way) {
-    return spread(
-        [&](Numbers& numbers) { return light_under_sky(balls, ray, sky, {way}, 2, numbers).g; });
-  };
-  const double exact = light(SkyLighting::cosine).mean;
-  CHECK(exact > 0.1);
-  for (const SkyLighting way : sampled_ways) {
-    CAPTURE(static_cast<int>(way));
-    const Spread found = light(way);
-    CHECK(found.mean == doctest::Approx(exact).epsilon(2.5 * std::sqrt(found.variance / 16384)));
-  }
-}
-
 TEST_CASE("an open can hides a part of the sky from its own inner side, in every way") {
   const std::vector<Painted<Coat, Cylinder>> can = {{.shape = {}, .paint = {{1, 1, 1}}}};
   const auto light = [&](SkyLighting way) {

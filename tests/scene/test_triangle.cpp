@@ -87,23 +87,6 @@ TEST_CASE("Kahan's needle: in float Heron's formula finds no area at all") {
   CHECK(published::heron_area(100000.0F, 99999.99979F, 0.00029F) == 0);
 }
 
-TEST_CASE("on an edge with depths 1 and 3, the middle of the screen is a quarter of the edge") {
-  // The middle of the picture of the edge from (-1, 0, -1) to (3, 0, -3) is straight ahead.
-  const RaySpace<double> space(Ray<double>{{0, 0, 0}, {0, 0, -1}});
-  const auto with_third = [&](const Point& c) {
-    return crossing(space, seen_along(space, Point{-1, 0, -1}), seen_along(space, Point{3, 0, -3}),
-                    seen_along(space, c));
-  };
-  const Crossing<double> above = with_third({0, 9, -1});
-  const Crossing<double> below = with_third({0, -9, -1});
-  REQUIRE(above.met != below.met);  // the edge belongs to one of the two triangles
-  const Crossing<double> found = above.met ? above : below;
-  CHECK(found.a == 0.75);  // z0 / (z0 + z1) = 1/4 of the way from a to b
-  CHECK(found.b == 0.25);
-  CHECK(found.c == 0);
-  CHECK(found.distance == 1.5);
-}
-
 TEST_CASE("a corner that is NaN, a direction that is zero or NaN: nothing is met") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Point a{-1, -1, -2}, b{1, -1, -2}, c{0, 1, -2};

@@ -60,20 +60,6 @@ TEST_CASE_TEMPLATE("v = 1, a pole, belongs to the last row, as it does for a pic
   }
 }
 
-TEST_CASE_TEMPLATE("the eight cubes around the origin alternate", Real, float, double,
-                   long double) {
-  const SolidCheckerboard board{even, odd, 2};
-  for (int i = 0; i < 8; ++i) {
-    const Real x = (i & 1) != 0 ? 1 : -1;
-    const Real y = (i & 2) != 0 ? 1 : -1;
-    const Real z = (i & 4) != 0 ? 1 : -1;
-    CAPTURE(i);
-    CHECK(cube_at(board, x, y, z) == (x * y * z > 0 ? 'e' : 'o'));
-  }
-  const Real below_0 = -std::numeric_limits<Real>::denorm_min();
-  CHECK(cube_at(SolidCheckerboard{even, odd, 1}, below_0, Real(0), Real(0)) == 'o');
-}
-
 TEST_CASE_TEMPLATE(
     "a cube's lower faces belong to it, its upper ones to its neighbors, for every length that the "
     "number holds; multiplying by 1 / cell moves some",

@@ -15,27 +15,6 @@ constexpr std::array filters = {Filter::nearest,     Filter::bilinear, Filter::t
 constexpr std::array wraps = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border,
                               Wrap::spherical};
 
-/// A pyramid with texels that hold their own centers and their level.
-Pyramid coordinates(int width, int height) {
-  const auto level_of_centers = [](int columns, int rows, std::size_t level) {
-    return image_of(columns, rows, [&](int column, int row) {
-      return Color<float>{(static_cast<float>(column) + 0.5F) / static_cast<float>(columns),
-                          (static_cast<float>(row) + 0.5F) / static_cast<float>(rows),
-                          static_cast<float>(level)};
-    });
-  };
-  Pyramid pyramid = pyramid_of(level_of_centers(width, height, 0));
-  LightImage smaller(static_cast<int>(pyramid.smaller.pixels.size()), 1);
-  auto to = smaller.pixels.begin();
-  for (std::size_t level = 1; level < pyramid.levels.size(); ++level) {
-    const PyramidLevel<int>& size = pyramid.levels[level];
-    const LightImage image = level_of_centers(size.width, size.height, level);
-    to = std::copy(image.pixels.begin(), image.pixels.end(), to);
-  }
-  pyramid.smaller = std::move(smaller);
-  return pyramid;
-}
-
 template <class Real>
 Uv<Dual<Real>> place(Real u, Real v, Real u_by_x, Real u_by_y, Real v_by_x, Real v_by_y) {
   return {{u, u_by_x, u_by_y}, {v, v_by_x, v_by_y}};
@@ -43,17 +22,6 @@ Uv<Dual<Real>> place(Real u, Real v, Real u_by_x, Real u_by_y, Real v_by_x, Real
 /// A place with an axis-aligned footprint of a x b texels of an image.
 Uv<Dual<double>> place_of(double u, double v, double a, double b, int width, int height) {
   return place(u, v, a / width, 0.0, 0.0, b / height);
-}
-
-TEST_CASE("where texels hold their level, the trilinear filter returns its own exactly") {
-  const FilteredTexture texture{.pyramid = coordinates(256, 256), .filter = Filter::trilinear};
-  for (const double width : {0.0, 0.25, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 14.0}) {
-    CAPTURE(width);
-    const LevelPlace<double> level = texture.place(width);
-    const double blue = texture.filtered(place_of(0.5, 0.5, width, width, 256, 256)).b;
-    CHECK(std::abs(blue - (level.number + level.fraction)) < 1e-15);
-    if (width >= 1) CHECK(std::abs(blue - std::log2(width)) < 0.17);
-  }
 }
 
 TEST_CASE("between two levels the mean square of the widths is the footprint's") {

@@ -66,16 +66,6 @@ TEST_CASE("the solid angles of all texels add up to the sphere, in maps of every
   CHECK(SkySampler(Environment(LightImage(8, 4, gray(1.0F)))).total() == doctest::Approx(sphere));
 }
 
-TEST_CASE("densities integrate to 1, whatever the filter and the turn") {
-  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
-    const Environment sky(contrasts(16, 8), filter, 25);
-    const SkySampler sampler(sky);
-    const double whole =
-        integral(sky, [&](const Vec3d& d) { return sampler.density(d, sky.uv_of(d)); });
-    CHECK(whole == doctest::Approx(1).epsilon(1e-5));
-  }
-}
-
 TEST_CASE("by nearest texels a drawn direction lies in its texel, where the density is its own") {
   const Environment sky(contrasts(16, 8), TexelFilter::nearest);
   const SkySampler sampler(sky);
