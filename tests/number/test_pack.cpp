@@ -54,29 +54,6 @@ TEST_CASE_TEMPLATE("every operation works lane by lane and rounds as single numb
   for_each_choice(check);
 }
 
-TEST_CASE_TEMPLATE("a lane holds what was put there: its number, constants, truth, whole numbers",
-                   Real, TEXMAP_PACKS) {
-  using T = Scalar<Real>;
-  static_assert(lanes<Real> >= 2);
-  const Real counted = from_lanes<Real>([](std::size_t i) { return static_cast<T>(i); });
-  const UInt<Real> bits = uint_from_real(counted * Real(100000) + Real(0.75));  // it is cut off
-  const Real back = real_from_uint<Real>(bits);
-  for (std::size_t i = 0; i < lanes<Real>; ++i) {
-    CHECK(lane(counted, i) == static_cast<T>(i));
-    CHECK(all_lanes(counted)[i] == static_cast<T>(i));
-    CHECK(lane(Real(7), i) == T(7));
-    CHECK(lane(pi<Real>(), i) == pi<T>());
-    CHECK(lane(infinity<Real>(), i) == infinity<T>());
-    CHECK(lane(below_one<Real>(), i) == below_one<T>());
-    CHECK(lane(unit_roundoff<Real>(), i) == unit_roundoff<T>());
-    CHECK(any(counted == Real(i)));  // in a single lane
-    CHECK(uint_lane<Real>(bits, i) == 100000 * i);
-    CHECK(lane(back, i) == static_cast<T>(100000 * i));
-  }
-  CHECK(any(counted == counted));
-  CHECK_FALSE(any(counted < Real(0)));
-}
-
 // Not among them: atan2 of (0, 0) and of two infinities, where packs give NaN.
 TEST_CASE_TEMPLATE("exp, log1p and atan2 in a lane are those of a plain double, to the last bit",
                    Real, Pack<double>, Pack2<Pack<double>>) {

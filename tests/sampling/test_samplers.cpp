@@ -88,19 +88,6 @@ TEST_CASE_TEMPLATE("every number draws the same samples, one pixel at a time or 
       });
 }
 
-TEST_CASE("samples lie in [0, 1) and are multiples of 2^-24") {
-  for_all_samplers({1, 2, 3, 5, 16, 97, 100, 255, 257, 1024, most_samples - 1, most_samples},
-                   [](SamplerKind kind, int count) {
-                     for (const Point2<double>& at : samples_of(Sampler(kind, count), 3, 4, 5)) {
-                       for (const double x : {at.u, at.v}) {
-                         REQUIRE(x >= 0);
-                         REQUIRE(x < 1);
-                         REQUIRE(x * 0x1p24 == std::floor(x * 0x1p24));
-                       }
-                     }
-                   });
-}
-
 TEST_CASE("a number of samples that is not from 1 to 16384 is refused") {
   CHECK_THROWS_AS(Sampler(SamplerKind::sobol, 0), std::invalid_argument);
   CHECK_THROWS_AS(Sampler(SamplerKind::random, -1), std::invalid_argument);

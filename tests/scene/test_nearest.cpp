@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "math/color.hpp"
 #include "scene/nearest.hpp"
 
 namespace texmap::test {
@@ -52,28 +51,6 @@ TEST_CASE_TEMPLATE(
   CHECK(is_occluded(things, along_z<Real>, infinity<Real>()));
   CHECK_FALSE(is_occluded(things, along_z<Real>, Real(14.5)));
   CHECK_FALSE(is_occluded(things, Ray<Real>{{0, 0, 20}, {0, 0, 1}}, infinity<Real>()));
-}
-
-TEST_CASE_TEMPLATE(
-    "the color along a ray is that of the first object, shaded once at its hit, or the background",
-    Real, float, double, long double) {
-  int asked = 0;
-  const auto color_of = [&](const Ray<Real>& ray) {
-    return color_along(
-        row_of_things(), ray, [](const Ray<Real>& seen) { return gray(seen.direction.z); },
-        [&asked](const Thing& thing, const Hit<Real>& hit) {
-          ++asked;
-          return Color<Real>{static_cast<Real>(thing.mark), hit.point.z, hit.normal.z};
-        });
-  };
-  const Color<Real> color = color_of(along_z<Real>);
-  CHECK(color.r == Real(3));
-  CHECK(abs(color.g - Real(5.5)) <= Real(8) * std::numeric_limits<Real>::epsilon());
-  CHECK(color.b == Real(1));
-  CHECK(asked == 1);
-  const Color<Real> away = color_of(Ray<Real>{{0, 0, 20}, {0, 0, 1}});
-  CHECK((away.r == Real(1) && away.g == Real(1) && away.b == Real(1)));
-  CHECK(asked == 1);
 }
 
 }  // namespace
