@@ -65,9 +65,9 @@ TEST_CASE_TEMPLATE("rays meet a cylinder and a rectangle where they should", Rea
     CHECK(first(distance_to(frame, ray)) == static_cast<Scalar<Real>>(row.frame));
   }
   // A ray that goes on starts on the side that it came from.
-  for (const Scalar<Real> side : {1, -1}) {
+  for (const double side : {1.0, -1.0}) {
     const Ray<Real> ray{{Real(0), Real(1), Real(side)}, {Real(0), Real(0), Real(-side)}};
-    CHECK(first(hit_at(frame, ray, Real(1)).outside.z) * side > 0);
+    CHECK(first(hit_at(frame, ray, Real(1)).outside.z * Real(side)) > 0);
   }
 }
 

@@ -63,7 +63,7 @@ double angle(const Vec3<Real>& p, const Vec3<Real>& q) {
 template <class Real>
 double worst_on_ellipsoid() {
   Dice dice(11);
-  const Bumps<EllipsoidHeight> bumps{.relief = 2};
+  const Bumps<EllipsoidHeight> bumps{.height = {}, .relief = 2};
   double worst = 0;
   for (int i = 0; i < 2000; ++i) {
     const Hit<Real> hit = hit_with<Real>(dice.direction());
