@@ -16,6 +16,7 @@
 #include "10_projections/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
+#include "13_speed_for_accuracy/lesson.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/draw/develop.hpp"
 #include "engine/draw/gather.hpp"
@@ -165,6 +166,18 @@ void figures_of_samplers(Figures& figures) {
   figures["07.sobol_4_both"] = decimals(std::hypot(errors["sobol_4"], seed_1), 1);
 }
 
+/// Two rows of chapter 13's table of samplers.
+void figures_of_a_trade(Figures& figures) {
+  using namespace chapter_13;
+  const Variant packs{.number = NumberKind::double_pack};
+  std::vector<Row> rows = {{Part::samplers, packs, SamplerKind::random, 256},
+                           {Part::samplers, packs, SamplerKind::sobol, 64}};
+  const Globe globe(Lesson{}.texture.load());
+  find_errors(rows, globe, globe.view(1, 1), 0, [](int, int) {});  // by views of their own
+  figures["13.random_256"] = decimals(rows[0].mean, 2);
+  figures["13.sobol_64"] = decimals(rows[1].mean, 2);
+}
+
 /// The errors of chapter 12's five ways to light matte surfaces, with 16 and with 64 samples.
 void figures_of_a_sky(Figures& figures, const std::string& sky, SkyLight light) {
   chapter_12::Lesson lesson;
@@ -207,6 +220,7 @@ int main() {
   figures_of_samplers(figures);
   figures_of_triangles(figures);
   figures_of_skies(figures);
+  figures_of_a_trade(figures);
   for (const auto& [name, value] : figures) std::cout << name << ' ' << value << '\n';
   return 0;
 }

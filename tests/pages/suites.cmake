@@ -2,10 +2,9 @@
 
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
 add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)  # what stands on the sheets, which the book shows in pieces
-target_link_libraries(page_sheets PRIVATE 13_speed_for_accuracy_code)
 foreach(program page_figures page_sheets)
   target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
-  target_link_libraries(${program} PRIVATE project_options run chapters_code compare)
+  target_link_libraries(${program} PRIVATE project_options run chapters_code 13_speed_for_accuracy_code compare)
   set_target_properties(${program} PROPERTIES WIDER_REFERENCES ON)
   if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
     target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
