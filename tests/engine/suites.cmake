@@ -26,7 +26,7 @@ add_dependencies(test_session_line 05_y_rotation 07_earth_by_sampling 09_texture
 if(NOT TEXMAP_LEARN)
   add_suite(engine/run/test_trade_options ON files LABELS common)
   target_compile_definitions(test_trade_options PRIVATE TEXMAP_BIN="$<TARGET_FILE_DIR:05_y_rotation>/")
-  add_dependencies(test_trade_options 01_plain_spheres 06_phong_texture_blend 07_earth_by_sampling)
+  add_dependencies(test_trade_options 01_plain_spheres 06_phong_texture_blend 07_earth_by_sampling 08_triangle_uv 09_texture_filtering)
 endif()
 add_suite(engine/draw/test_certainty_map ON run LABELS extremes)
 

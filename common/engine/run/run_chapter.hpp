@@ -1,5 +1,6 @@
 // Runs a chapter: reads its command line, draws its lesson, saves the picture.
 #pragma once
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <memory>
@@ -53,10 +54,9 @@ concept HasSpheres = requires(const Lesson& lesson) {
   lesson.objects.front().shape.form;
 };
 
-/// Those whose scene is spheres or a mesh, a lamp and a camera: no floor without an end.
+/// Those whose scene is spheres or a mesh, a lamp, a camera, and a floor with a picture on it.
 template <class Lesson>
-concept HasMovableScene = std::derived_from<Lesson, HasMesh> ||
-    (HasSpheres<Lesson> && !std::derived_from<Lesson, ShowsMeanLight>);
+concept HasMovableScene = std::derived_from<Lesson, HasMesh> || HasSpheres<Lesson>;
 
 /// Lessons with a list of objects of which not all are known to be spheres.
 template <class Lesson>
@@ -155,11 +155,33 @@ std::function<Image()> drawing_by(const std::string& chapter,
   return [ready] { return Session(ready->chosen).draw(ready->lesson); };
 }
 
+/// The nearest move by whole copies of a floor's picture, which is mapped by a rotated point: the
+/// floor then shows the same. By an even number of copies: every other one may be mirrored.
+template <class Mapping>
+Vec3d by_whole_copies(const Mapping& rotated, const Vec3d& by) {
+  const auto [c, s] = rotated.rotation;
+  const double two = 2 * rotated.mapping.size;
+  const Vec3d turned = rotated.rotation(by);
+  const double x = two * std::round(turned.x / two), z = two * std::round(turned.z / two);
+  return {x * c - z * s, by.y, z * c + x * s};  // turned back
+}
+
 /// A lesson with all of its scene larger and moved, drawn in one number. The picture should not
 /// change.
 template <HasMovableScene Lesson>
 Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale, double moved) {
-  const Vec3d by{moved, moved, moved};
+  Vec3d by{moved, moved, moved};
+  if constexpr (requires { lesson.floor, lesson.ground.mapping.mapping.size; }) {
+    using Mode = decltype(lesson.filtering.wrap);
+    if (lesson.filtering.wrap != Mode::repeat && lesson.filtering.wrap != Mode::mirror) {
+      throw UsageError(
+          "--extremes moves the floor by whole copies of its picture: with --wrap clamp or border "
+          "there is only one");
+    }
+    lesson.ground.mapping.mapping.size *= scale;
+    by = by_whole_copies(lesson.ground.mapping, by);
+    lesson.floor.height = lesson.floor.height * scale + by.y;
+  }
   const auto move = [&](Point& point) { point = point * scale + by; };
   move(lesson.stage.camera.eye);
   move(lesson.stage.camera.target);

@@ -229,9 +229,9 @@ void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) 
       lines += "\n";
     }
   }
-  print(lines + text("never: not by %d powers of ten. The way to find out why: --number interval "
-                     "shows the pixels\nthat rounding could change, and chapter 14 the usual "
-                     "causes\n",
+  print(lines + text("never: not by %d powers of ten. The way to find out why: --number interval, "
+                     "where a chapter has it,\nshows the pixels that rounding could change, and "
+                     "chapter 14 the usual causes\n",
                      decades));
 }
 

@@ -57,7 +57,8 @@ TEST_CASE("--trade measures what the program offers and the user did not choose"
 
 TEST_CASE("in double a scene may have any size, and lie a million radii away") {
   const TemporaryFolder folder;
-  for (const char* chapter : {"01_plain_spheres", "07_earth_by_sampling", "08_triangle_uv"}) {
+  for (const char* chapter :
+       {"01_plain_spheres", "07_earth_by_sampling", "08_triangle_uv", "09_texture_filtering"}) {
     const Outcome outcome = measured(chapter, "--extremes --samples 1", folder / "a.png");
     CAPTURE(outcome.err);
     REQUIRE(outcome.status == 0);
