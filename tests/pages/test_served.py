@@ -234,10 +234,14 @@ UNLIKE = """((canvas) => {
   return right.filter((one, i) => one !== pixels[i]).length;
 })"""
 
+# The page's own second picture, where it has one: how it lies, and its pixels.
+SECOND = """(() => { const canvas = document.querySelector(".live-second > canvas");
+  return canvas?.checkVisibility() && [canvas.parentElement.className, canvas.toDataURL()]; })()"""
+
 
 def check_mistakes(place, browser):
     """Break it: each mistake of a page draws another picture, and the right one stays beside it;
-    of three the page knows which one it drew."""
+    of three the page knows which one it drew; afterwards the page's own second picture is back."""
     place.policy, tried = WITH_WASM, 0
     for page in place.chapters:
         place.open(browser, page)
@@ -247,6 +251,7 @@ def check_mistakes(place, browser):
             del slips[2:]  # its light takes seconds
         if slips:
             browser.run(f"{UNLIKE}('.live-picture > canvas')")
+            usual, second = browser.run(COMMAND), browser.run(SECOND)
         for k, slip in enumerate(slips):
             browser.run(f"{CHOOSE}({k + 1})")
             browser.wait(f"{VERDICT}.textContent.startsWith({json.dumps(slip['words'])})", 60)
@@ -255,9 +260,10 @@ def check_mistakes(place, browser):
             command = browser.run(COMMAND)
             is_typed = shlex.split(command)[-len(slip["typed"]):] == slip["typed"]
             if slip["typed"][0] == "--mistake":  # of the page alone
-                is_typed = "--" not in command and "the mistake" in browser.run(HERE_ONLY)
+                is_typed = command == usual and "the mistake" in browser.run(HERE_ONLY)
             shown = browser.run(f"{VERDICT}.textContent")
-            if wrong < 500 or lost or not is_typed or slip["right"] not in shown:
+            if wrong < 500 or lost or not is_typed or not all(
+                    line in shown for line in slip["right"].split("\n")):
                 yield f"{page}, {slip}: {wrong} pixels changed, {lost} lost, {command}"
         for _ in range(2 if slips else 0):
             browser.run(f"{BROKEN}.querySelector('button').click()")
@@ -269,6 +275,11 @@ def check_mistakes(place, browser):
             if not is_hidden or not says.startswith(
                     "Yes: " + answer if answer in says else "No, it is: "):
                 yield f"{page}: to {answer!r} it says {says!r}"
+        if slips:
+            browser.run(f"{CHOOSE}(0)")
+            browser.wait(f"!{VERDICT}.textContent && {DONE}", 60)
+            if browser.run(SECOND) != second:
+                yield f"{page}: after its mistakes its second picture is another one"
         tried += len(slips)
     if tried < 20:
         yield f"only {tried} mistakes"

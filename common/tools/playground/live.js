@@ -709,11 +709,7 @@ async function live(main, script) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
       if (isBeside) {
         if (!isSmall && id !== latest) return;
-        if (first === 0 && (second.width !== columns || second.height !== rows))
-          Object.assign(second, {width: columns, height: rows});
-        secondPaper.putImageData(data, 0, first);
-        secondFrame.hidden = false;
-        line.hidden = !lies[chapter];
+        if (!broken) showBeside(data, first, rows);  // else the right picture is there
       } else if (isSmall) {
         if (first === 0) Object.assign(small, {width: columns, height: rows});
         smallPaper.putImageData(data, 0, first);
@@ -746,7 +742,7 @@ async function live(main, script) {
       undo = null;
       stand.hidden = true;
       section.dataset.state = "done";
-      save.disabled = false;
+      save.disabled = Boolean(broken);  // the second picture is no map then
       if (pixel?.column >= columns || pixel?.row >= rows) {
         closeLoupe();
         say(`The address names a pixel beyond the picture of ${columns} × ${rows}.`);
@@ -771,7 +767,7 @@ async function live(main, script) {
       if (nextLook) look(nextLook);
       else if (column === undefined) closeLoupe();
       else if (pixel) showLoupe(column, row, seen);
-      showSpot(seen.spot);
+      showSpot(!broken && seen.spot);
     },
     refused({of, id, reason}) {
       if (of === "look" || of === "find") { looking = null; return; }
@@ -938,6 +934,18 @@ async function live(main, script) {
     line.setAttribute("aria-valuetext", `${line.value} % from the left`);
     if (pixel?.column !== undefined) look(pixel);
   }
+  function showBeside(data, first, rows) {
+    if (first === 0 && (second.width !== data.width || second.height !== rows))
+      Object.assign(second, {width: data.width, height: rows});
+    secondPaper.putImageData(data, 0, first);
+    secondFrame.hidden = false;
+    line.hidden = !lies[chapter];
+  }
+  // The second picture lies on the first, or is below it.
+  function cover(isOver) {
+    isOver ? line.before(secondFrame) : beside.after(secondFrame);
+    secondFrame.classList.toggle("live-over", isOver);
+  }
   // Asks for a small picture now, and for the full one when the reader rests.
   function change() {
     if (!hand) return;
@@ -1046,7 +1054,7 @@ async function live(main, script) {
         one.here).map((one) => one.here(one.words[1])).join("; ")}.`
       : main.dataset.note || "";
     legend.replaceChildren(...[legends[values["--show"]]
-      || [hints[chapter]?.(values), hint].filter(Boolean).join(" ")].flat());
+      || [!broken && hints[chapter]?.(values), hint].filter(Boolean).join(" ")].flat());
   }
 
   // -- The address: what differs from the page's begin, in the command's words and order, and the
@@ -1143,9 +1151,7 @@ async function live(main, script) {
     }));
     openers.hidden = !ownFiles.length;
     refined.hidden = trace.hidden = secondFrame.hidden = line.hidden = true;
-    const covers = Boolean(lies[chapter] || slips.length);
-    covers ? line.before(secondFrame) : beside.after(secondFrame);
-    secondFrame.classList.toggle("live-over", covers);
+    cover(Boolean(lies[chapter]));
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
     save.hidden = !("--projection" in found);
     moveLine();
@@ -1613,7 +1619,7 @@ async function live(main, script) {
       + `${rounded(detail.clientWidth / (width * whole.clientWidth), 2)} times enlarged`;
   }
   // Where two pictures lie on each other, and this place shows the second.
-  const isLeft = (column) => lies[chapter] && second.width === canvas.width
+  const isLeft = (column) => lies[chapter] && !broken && second.width === canvas.width
     && column + 0.5 < canvas.width * line.value / 100;
   // Rows and a drawing that the module made: chapters 07 and on.
   function moduleFacts(column, row, {left, ...right}) {
@@ -1624,7 +1630,7 @@ async function live(main, script) {
     return [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned
         ? [element("br"), element("b", {textContent: letsGo})] : [])],
-    ...(left ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line`
+    ...(left && !broken ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line`
       : `${values["--filter"]}, right of the line`]] : []),
     ...(seen.figure ? [["", drawing(seen.figure)]] : []),
     ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
@@ -1747,6 +1753,7 @@ async function live(main, script) {
     if (!broken) return;
     broken = null;
     secondFrame.hidden = line.hidden = true;
+    cover(Boolean(lies[chapter]));
     command.parentElement.hidden = false;
     wrongs.value = "";
     verdict.replaceChildren();
@@ -1763,6 +1770,7 @@ async function live(main, script) {
       if (!await isDrawn()) return false;
       Object.assign(second, {width: canvas.width, height: canvas.height});
       secondPaper.drawImage(canvas, 0, 0);
+      cover(true);
     }
     broken = slip;
     change();
@@ -1772,9 +1780,10 @@ async function live(main, script) {
     return true;
   }
   // What drew it: the line that was changed, or what is right in words.
+  const signed = (lines, sign) => lines.replace(/^/gm, `${sign} `);
   const changed = ({right, wrong}) => element("pre", {}, element("code", {},
-    element("span", {className: "removed", textContent: `- ${right}`}), "\n",
-    wrong && element("span", {className: "added", textContent: `+ ${wrong}`})));
+    element("span", {className: "removed", textContent: signed(right, "-")}), "\n",
+    wrong && element("span", {className: "added", textContent: signed(wrong, "+")})));
   const told = (slip) => [element("b", {textContent: `${slip.words}. `}),
     ...(slip.right ? [changed(slip)] : slip.change ? ["Right: ", ...slip.change.split("`").map(
       (part, i) => i % 2 ? element("code", {textContent: part}) : part), ". "] : []),
