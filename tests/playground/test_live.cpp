@@ -2,7 +2,12 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -23,6 +28,7 @@
 #include "support/pictures.hpp"
 #include "support/same_picture.hpp"
 #include "texture/uv_inverse.hpp"
+#include "tools/diagnose/option_slips.hpp"
 
 using namespace texmap;
 using live::Live;
@@ -301,6 +307,40 @@ TEST_CASE("09: texels times the weights of their reads are what the filter retur
   }
 }
 
+namespace {
+
+/// Draws the mistakes of a page: each differs from the right picture and from all others, and its
+/// line is on the page. Returns what the page alone draws, by the mistake's name.
+template <class Page>
+std::map<std::string, Image> expect_mistakes(const std::string& chapter, std::size_t at_least) {
+  std::ifstream file(std::string(TEXMAP_TESTS_DIR) + "/../chapters/" + chapter + "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  Page page;
+  Words words = {"--width", "240", "--height", "180"};
+  page.set(words, 240);
+  std::vector<Image> drawn{whole(page)};
+  std::map<std::string, Image> named;
+  for (const slips::OptionSlip* slip : slips::of_chapter(chapter, slips::of_pages)) {
+    CAPTURE(std::string(slip->words));
+    Words typed = words;
+    for (const std::string& word : slip->typed()) typed.push_back(word);
+    page.set(typed, 240);
+    drawn.push_back(whole(page));
+    if (slip->typed().front() == "--mistake") named[slip->value] = drawn.back();
+    for (std::size_t i = 0; i + 1 < drawn.size(); ++i)
+      CHECK(test::count_different(drawn[i], drawn.back()) > 100);
+    CHECK(text.find(slip->right) != std::string::npos);
+    CHECK(std::string(slip->right).empty() == std::string(slip->wrong).empty());
+    CHECK((*slip->right != 0 || *slip->change != 0));
+  }
+  CHECK(drawn.size() > at_least);
+  page.set(words, 240);
+  test::expect_same_picture(whole(page), drawn.front());  // and the right one is there again
+  return named;
+}
+
+}  // namespace
+
 TEST_CASE("what a lesson keeps from the one before makes no difference to its picture") {
   const auto expect_like_fresh = [](LiveLesson&& page, LiveLesson&& fresh, const auto& changes) {
     for (const Words& words : changes) page.set(words, widest);
@@ -331,6 +371,87 @@ TEST_CASE("10: from the globe to the map and back is the same pixel") {
     }
     const Size map = page.size_beside();
     CHECK(page.rows(0, map.height, page.passes()).width == map.width);
+  }
+}
+
+TEST_CASE("10: a mistake draws a picture of its own: what a program with its line draws") {
+  using std::abs, std::atan2;
+  constexpr double pi = std::numbers::pi;
+  const auto on_cube = [](const Vec3d& n, const auto& at) {  // as the page says it
+    const bool lower = std::max(abs(n.y), -n.z) > std::max(abs(n.x), n.z);
+    const Vec3d p = lower ? Vec3d{n.y, n.x, -n.z} : n;
+    if (p.z >= abs(p.x)) return at(1, lower ? 0 : 1, p.x / p.z, p.y / p.z);
+    const double depth = abs(p.x);
+    return p.x < 0 ? at(0, lower ? 0 : 1, p.z / depth, p.y / depth)
+                   : at(2, lower ? 0 : 1, -p.z / depth, p.y / depth);
+  };
+  const auto on_square = [](const Vec3d& n, const auto& fold) -> Uv<double> {
+    const double s = abs(n.x) + abs(n.y) + abs(n.z), a = n.x / s, b = -n.z / s;
+    const Uv<double> at = n.y < 0 ? fold(a, b) : Uv<double>{a, b};
+    return {(1 + at.u) / 2, (1 + at.v) / 2};
+  };
+  const auto sign = [](double x) { return x < 0 ? -1 : 1; };
+  using Place = Uv<double>;
+  struct Student {
+    const char *mistake, *layout;
+    std::function<Place(const Vec3d& n)> uv;
+  };
+  const auto cube = [&](auto at) { return [=](const Vec3d& n) { return on_cube(n, at); }; };
+  const auto square = [&](auto fold) { return [=](const Vec3d& n) { return on_square(n, fold); }; };
+  const Student students[] = {
+      {"inside", "cube", cube([](int c, int k, double right, double up) -> Place {
+         return {(c + (1 - right) / 2) / 3, (k + (1 + up) / 2) / 2};
+       })},
+      {"columns", "cube", cube([](int c, int k, double right, double up) -> Place {
+         return {(2 - c + (1 + right) / 2) / 3, (k + (1 + up) / 2) / 2};
+       })},
+      {"rows", "cube", cube([](int c, int k, double right, double up) -> Place {
+         return {(c + (1 + right) / 2) / 3, (1 - k + (1 + up) / 2) / 2};
+       })},
+      {"angles", "cube", cube([](int c, int k, double right, double up) -> Place {
+         return {(c + (1 + std::atan(right) * 4 / pi) / 2) / 3,
+                 (k + (1 + std::atan(up) * 4 / pi) / 2) / 2};
+       })},
+      {"height", "equirect",
+       [](const Vec3d& n) -> Place {
+         return {0.5 - atan2(n.z, n.x) / (2 * pi), (1 + n.y) / 2};
+       }},
+      {"mirrored", "cylinder",
+       [](const Vec3d& n) -> Place {
+         return {0.5 + atan2(n.z, n.x) / (2 * pi), (1 + n.y) / 2};
+       }},
+      {"upside-down", "cylinder",
+       [](const Vec3d& n) -> Place {
+         return {0.5 - atan2(n.z, n.x) / (2 * pi), (1 - n.y) / 2};
+       }},
+      {"unfolded", "octahedral", square([](double a, double b) -> Place {
+         return {a, b};
+       })},
+      {"exchanged", "octahedral", square([=](double a, double b) -> Place {
+         return {sign(a) * (1 - abs(a)), sign(b) * (1 - abs(b))};
+       })},
+      {"signs", "octahedral", square([](double a, double b) -> Place {
+         return {1 - abs(b), 1 - abs(a)};
+       })},
+  };
+  const auto drawn_by_page = expect_mistakes<live::Chapter10>("10_projections", 10);
+  CHECK(drawn_by_page.size() == std::size(students));
+  for (const Student& student : students) {
+    CAPTURE(std::string(student.mistake));
+    const auto lesson = prepared<chapter_10::Lesson>({"--projection", student.layout});
+    const auto& globe = lesson.objects[chapter_10::middle];
+    const auto texture = std::get<chapter_10::Textured>(globe.paint).texture;
+    const auto look = [&](const Ray<double>& ray) {
+      return color_along(
+          lesson.objects, ray, lesson.stage.sky, [&](const auto& object, const Hit<double>& hit) {
+            const Rgb color =
+                &object == &globe ? texture(student.uv(hit.normal)) : object.paint(hit);
+            return color *
+                   lambert(lesson.surface, sample_light(lesson.stage.light, lesson.objects, hit));
+          });
+    };
+    const Image drawn = render<double>(look, view_of_lesson(lesson, {240, 180}));
+    CHECK(test::count_different(drawn_by_page.at(student.mistake), drawn) < 8);  // texels' edges
   }
 }
 

@@ -1,6 +1,7 @@
-// Chapter 10: the map beside the globe, and a point on one shown on the other.
+// Chapter 10: the map beside the globe, a point on one shown on the other, and usual mistakes.
 #pragma once
 #include <cmath>
+#include <utility>
 
 #include "10_projections/lesson.hpp"
 #include "figure.hpp"
@@ -9,12 +10,104 @@
 
 namespace texmap::live {
 
+/// What a program with a mistake reads in a layout's picture. To add one, add its row and the one
+/// in `of_pages` of option_slips.hpp.
+struct WrongReading {
+  const char* name;
+  Projection layout, read;  ///< of the picture; by which (u, v) is computed
+  /// What becomes of (u, v); the picture is read there.
+  Uv<double> (*moved)(const Uv<double>& uv) = [](const Uv<double>& uv) { return uv; };
+};
+
+/// An octahedron's (u, v), with its lower faces elsewhere: `move` is given a and b, -1 to 1.
+[[nodiscard]] inline Uv<double> with_corners(const Uv<double>& uv,
+                                             Uv<double> (*move)(double a, double b)) {
+  const double a = 2 * uv.u - 1, b = 2 * uv.v - 1;
+  if (std::abs(a) + std::abs(b) <= 1) return uv;
+  const Uv<double> to = move(a, b);
+  return uv_from_square(to.u, to.v);
+}
+
+inline constexpr WrongReading wrong_readings[] = {
+    {"inside", Projection::cube, Projection::cube,
+     [](const Uv<double>& uv) -> Uv<double> {
+       return {(2 * std::floor(3 * uv.u) + 1) / 3 - uv.u, uv.v};
+     }},
+    {"columns", Projection::cube, Projection::cube,
+     [](const Uv<double>& uv) -> Uv<double> {
+       return {uv.u + (2 - 2 * std::floor(3 * uv.u)) / 3, uv.v};
+     }},
+    {"rows", Projection::cube, Projection::cube,
+     [](const Uv<double>& uv) -> Uv<double> {
+       return {uv.u, uv.v < 0.5 ? uv.v + 0.5 : uv.v - 0.5};
+     }},
+    {"angles", Projection::cube, Projection::equi_angular},
+    {"height", Projection::equirect, Projection::cylinder},
+    {"mirrored", Projection::cylinder, Projection::cylinder,
+     [](const Uv<double>& uv) -> Uv<double> {
+       return {1 - uv.u, uv.v};
+     }},
+    {"upside-down", Projection::cylinder, Projection::cylinder,
+     [](const Uv<double>& uv) -> Uv<double> {
+       return {uv.u, 1 - uv.v};
+     }},
+    {"unfolded", Projection::octahedral, Projection::octahedral,
+     [](const Uv<double>& uv) {
+       return with_corners(uv, [](double a, double b) -> Uv<double> {
+         return {with_sign_of(a, 1 - std::abs(b)), with_sign_of(b, 1 - std::abs(a))};
+       });
+     }},
+    {"exchanged", Projection::octahedral, Projection::octahedral,
+     [](const Uv<double>& uv) {
+       return with_corners(uv, [](double a, double b) -> Uv<double> {
+         return {with_sign_of(a, std::abs(b)), with_sign_of(b, std::abs(a))};
+       });
+     }},
+    {"signs", Projection::octahedral, Projection::octahedral,
+     [](const Uv<double>& uv) {
+       return with_corners(uv, [](double a, double b) -> Uv<double> {
+         return {std::abs(a), std::abs(b)};
+       });
+     }},
+};
+
 struct MapAndGlobe {
   static constexpr int at_rest = 800;  ///< columns of a picture that no hand drags
+  const WrongReading* mistake = nullptr;
+  chapter_10::Paint misread{};  ///< the globe's, with the mistake
 
   [[nodiscard]] static const auto& globe_of(const chapter_10::Lesson& lesson) {
     return std::get<chapter_10::Textured>(lesson.objects[chapter_10::middle].paint);
   }
+  void declare(CommandLine& line) { declare_mistakes(line, mistake, wrong_readings); }
+
+  /// Takes the mistake's layout. A wrong place in its picture is the right one in another picture.
+  void apply(chapter_10::Lesson& lesson) {
+    if (mistake == nullptr) return;
+    if (lesson.layout.on_globe() != mistake->layout) {  // else it is loaded
+      lesson.layout.projection = mistake->layout;
+      lesson.objects[chapter_10::middle].paint =
+          chapter_10::Textured{{mistake->layout}, lesson.layout.load(lesson.texture)};
+    }
+    const SharedImage& map = globe_of(lesson).texture.image;
+    misread = chapter_10::Textured{
+        {mistake->read}, {image_of(map.width, map.height, [&](int column, int row) {
+          const Uv<double> at =
+              mistake->moved({(column + 0.5) / map.width, 1 - (row + 0.5) / map.height});
+          return map.at(static_cast<int>(at.u * map.width),
+                        map.height - 1 - static_cast<int>(at.v * map.height));
+        })}};
+  }
+  [[nodiscard]] std::optional<Image> draw(chapter_10::Lesson& lesson, const View<>& view,
+                                          const RenderSettings& how) const {
+    if (mistake == nullptr) return std::nullopt;
+    chapter_10::Paint& paint = lesson.objects[chapter_10::middle].paint;
+    const chapter_10::Paint right = std::exchange(paint, misread);
+    Image drawn = render<double>(lesson, view, how);
+    paint = right;
+    return drawn;
+  }
+
   [[nodiscard]] Size size_beside(const chapter_10::Lesson& lesson, const Size& size) const {
     const Image& map = globe_of(lesson).texture.image;
     const int width = size.width < at_rest ? std::min(map.width, size.width) : map.width;

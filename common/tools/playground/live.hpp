@@ -3,9 +3,11 @@
 #pragma once
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -53,6 +55,14 @@ class LiveLesson {
   /// A part of an object's texture, laid flat.
   [[nodiscard]] virtual Image flat(int object, const FlatPart& part) const = 0;
 };
+
+/// The option --mistake of a chapter's page: a row by its name; without the option none.
+template <class Row, std::size_t n>
+void declare_mistakes(CommandLine& line, const Row*& chosen, const Row (&all)[n]) {
+  std::vector<std::pair<std::string_view, const Row*>> names;
+  for (const Row& row : all) names.emplace_back(row.name, &row);
+  line.choice("--mistake", chosen, names, "draws with a mistake that students make");
+}
 
 /// The choices of chapters 01 to 06: knobs.hpp.
 template <class Lesson>
