@@ -21,6 +21,7 @@
 #include "chapter_11.hpp"
 #include "chapter_12.hpp"
 #include "engine/compare/difference.hpp"
+#include "engine/fast/srgb_kernel.hpp"
 #include "engine/run/prepared.hpp"
 #include "knobs.hpp"
 #include "published/uv.hpp"
@@ -341,6 +342,38 @@ std::map<std::string, Image> expect_mistakes(const std::string& chapter, std::si
 
 }  // namespace
 
+TEST_CASE("09: a mistake draws a picture of its own: what a program with its line draws") {
+  const auto drawn_by_page = expect_mistakes<live::Chapter09>("09_texture_filtering", 6);
+  const auto lesson = prepared<chapter_09::Lesson>({"--filter", "anisotropic"});
+  const View<> view = view_of_lesson(lesson, {240, 180});
+  struct Student {
+    const char* mistake;
+    double across, down;  ///< the slopes of the pixel's column and row
+  };
+  for (const Student& student :
+       {Student{"twice", 2, 2}, Student{"half", 0.5, 0.5}, Student{"right-alone", 1, 0}}) {
+    CAPTURE(std::string(student.mistake));
+    const Image drawn = image_of(240, 180, [&](int column, int row) {
+      const Color<Dual<double>> light =
+          lesson(ray_through(view, Dual<double>{double(column), student.across, 0.0},
+                             Dual<double>{double(row), 0.0, student.down}));
+      const auto byte = [](const Dual<double>& channel) {
+        return static_cast<std::uint8_t>(srgb_byte_exact(channel.value));
+      };
+      return Rgb8{byte(light.r), byte(light.g), byte(light.b)};
+    });
+    test::expect_same_picture(drawn_by_page.at(student.mistake), drawn);
+  }
+  live::Chapter09 page;
+  page.set({"--width", "240", "--height", "180", "--filter", "bilinear"}, 240);
+  test::expect_same_picture(drawn_by_page.at("no-texels"), whole(page));  // less than a texel
+  // Half black and half white: the mean of light is the byte 188, that of bytes 127 or 128.
+  int row = 0;
+  while (drawn_by_page.at("bytes").at(200, row) == drawn_by_page.at("twice").at(200, row)) ++row;
+  CHECK(drawn_by_page.at("twice").at(200, row).g == 188);
+  CHECK(std::abs(drawn_by_page.at("bytes").at(200, row).g - 127.5) < 1);
+}
+
 TEST_CASE("what a lesson keeps from the one before makes no difference to its picture") {
   const auto expect_like_fresh = [](LiveLesson&& page, LiveLesson&& fresh, const auto& changes) {
     for (const Words& words : changes) page.set(words, widest);
@@ -351,6 +384,11 @@ TEST_CASE("what a lesson keeps from the one before makes no difference to its pi
   const Words ewa = {"--filter", "ewa", "--beside", "nearest", "--taps", "3"};
   for (const Words& words : {Words{"--filter", "bilinear"}, Words{"--wrap", "clamp"}})
     expect_like_fresh(live::Chapter09(), live::Chapter09(), std::vector{words, ewa, words});
+  for (const char* mistake : {"twice", "bytes"}) {
+    const Words wrong = {"--mistake", mistake};
+    expect_like_fresh(live::Chapter09(), live::Chapter09(), std::vector{wrong, ewa});
+    expect_like_fresh(live::Chapter09(), live::Chapter09(), std::vector{ewa, wrong});
+  }
   const Words two = {"--samples", "2"};
   for (const Words& words :
        {Words{"--seed", "4"}, Words{"--exposure", "1"}, Words{"--light", "cosine"}})

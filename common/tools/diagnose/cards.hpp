@@ -20,6 +20,7 @@ inline constexpr Card cards[] = {
     {"the texture is too dark", "too_dark"},
     {"too pale", "too_pale"},
     {"dark at the outline", "dark_rim"},
+    {"blurred far away", "blurred"},
     {"shining on its night side", "night_highlight"},
     {"dents and not bumps", "dents"},
     {"mixed evenly in the picture", "bent"},

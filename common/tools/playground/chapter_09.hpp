@@ -1,4 +1,4 @@
-// Chapter 09: another filter beside the chosen one, and what a filter reads.
+// Chapter 09: another filter beside the chosen one, what a filter reads, and usual mistakes.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,7 @@ inline void filter_by_budget(Lesson&, Chosen&) {}
 #include "09_texture_filtering/lesson.hpp"
 #include "figure.hpp"
 #include "live.hpp"
+#include "math/srgb.hpp"
 
 namespace texmap::live {
 
@@ -66,21 +67,71 @@ Color<Real> texel_light(const ProbedPyramid& pyramid, const PyramidLevel<Real>& 
   return reads;
 }
 
+/// What a program with a mistake takes for a pixel. To add one, add its row and the one in
+/// `of_pages` of option_slips.hpp.
+struct WrongPixel {
+  const char* name;
+  double across = 1, down = 1;      ///< by which the slopes of its column and row are multiplied
+  bool has_means_of_bytes = false;  ///< in the pyramid's levels
+};
+inline constexpr WrongPixel wrong_pixels[] = {
+    {"twice", 2, 2},       {"half", 0.5, 0.5},
+    {"right-alone", 1, 0}, {"no-texels", 0, 0},  // so much less than a texel that it is nothing
+    {"bytes", 1, 1, true},
+};
+
+/// The lesson with the pixels of a mistake.
+struct WithPixel : chapter_09::Lesson {
+  WrongPixel pixel{};
+
+  template <class Real>
+  Color<Real> operator()(Ray<Real> ray) const {
+    if constexpr (requires { ray.direction.x.dx; }) {
+      for (Real* one : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) {
+        one->dx *= static_cast<decltype(one->dx)>(pixel.across);
+        one->dy *= static_cast<decltype(one->dy)>(pixel.down);
+      }
+    }
+    return chapter_09::Lesson::operator()(ray);
+  }
+};
+
+/// A pyramid of the same texels; the other levels are means of bytes.
+[[nodiscard]] inline Pyramid with_means_of_bytes(const Pyramid& right) {
+  const auto by = [](auto curve) {
+    return [curve](const Color<float>& c) {
+      return Color<float>{curve(c.r), curve(c.g), curve(c.b)};
+    };
+  };
+  Pyramid wrong = pyramid_of(image_of(right.original.width, right.original.height,
+                                      [&, encoded = by(srgb_encode<float>)](int column, int row) {
+                                        return encoded(right.original.at(column, row));
+                                      }));
+  LightImage smaller = wrong.smaller;
+  std::transform(smaller.pixels.begin(), smaller.pixels.end(), smaller.pixels.begin(),
+                 by(srgb_decode<float>));
+  wrong.original = right.original;
+  wrong.smaller = std::move(smaller);
+  return wrong;
+}
+
 struct TwoFilters {
   Filter other = Filter::nearest;
+  const WrongPixel* mistake = nullptr;
 
   void declare(CommandLine& line) {
+    declare_mistakes(line, mistake, wrong_pixels);
     line.choice("--beside", other, "nearest|bilinear|trilinear|anisotropic|ewa|stochastic",
                 "the filter left of the line");
   }
   /// Takes what the lesson before has loaded, if only how it is read has changed: a pyramid takes
   /// longer than a picture.
-  static bool take_over(chapter_09::Lesson& lesson, chapter_09::Lesson& before) {
+  static bool take_over(WithPixel& lesson, WithPixel& before) {
     const auto loaded = [](const chapter_09::Lesson& one) {
       return std::tie(one.texture.name, one.filtering.floor_file, one.filtering.wrap,
                       one.filtering.scene);
     };
-    if (loaded(lesson) != loaded(before)) return false;
+    if (loaded(lesson) != loaded(before) || before.pixel.has_means_of_bytes) return false;
     lesson.stage = before.stage;
     lesson.objects.swap(before.objects);
     std::swap(lesson.ground, before.ground);
@@ -88,10 +139,21 @@ struct TwoFilters {
     return true;
   }
 
+  void apply(WithPixel& lesson) const {
+    if (mistake == nullptr) return;
+    lesson.pixel = *mistake;
+    if (!mistake->has_means_of_bytes) return;
+    const auto make_wrong = [](auto& painted) {
+      painted.pyramid = with_means_of_bytes(painted.pyramid);
+    };
+    make_wrong(lesson.ground.texture);
+    for (auto& object : lesson.objects) make_wrong(object.paint.texture);
+  }
+
   [[nodiscard]] Size size_beside(const chapter_09::Lesson& /*lesson*/, const Size& size) const {
     return size;
   }
-  [[nodiscard]] Image draw_beside(chapter_09::Lesson& lesson, const View<>& strip, int /*first*/,
+  [[nodiscard]] Image draw_beside(WithPixel& lesson, const View<>& strip, int /*first*/,
                                   const RenderSettings& how) const {
     const auto [filter, taps] = std::pair(lesson.filtering.filter, lesson.filtering.taps);
     read_by(lesson, other, taps);
@@ -173,6 +235,6 @@ struct TwoFilters {
   }
 };
 
-using Chapter09 = Live<chapter_09::Lesson, TwoFilters>;
+using Chapter09 = Live<WithPixel, TwoFilters>;
 
 }  // namespace texmap::live
