@@ -5,12 +5,17 @@ import os
 import select
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
+from pathlib import Path
 
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--remote-debugging-pipe"]
+CONSOLE = """globalThis.$ ??= (what) => document.querySelector(what);
+  globalThis.$$ ??= (what) => [...document.querySelectorAll(what)];
+"""
 
 
 class Fault(Exception):
@@ -22,6 +27,19 @@ def installed():
         if shutil.which(name):
             return shutil.which(name)
     return None
+
+
+def typed_paths(usage, count, needed=lambda *_: Path()):
+    """The first words of the command line. Ends with the usage; or with status 77 where there is no
+    browser, or not the file that is needed."""
+    if len(sys.argv) <= count:
+        sys.exit(usage.strip())
+    paths = [Path(word).resolve() for word in sys.argv[1:count + 1]]
+    if not installed() or not needed(*paths).exists():
+        print("skipped: no browser (chromium or google-chrome) is installed, or ./course "
+              "playground has made nothing")
+        sys.exit(77)
+    return paths
 
 
 class Browser:
@@ -120,8 +138,8 @@ class Browser:
         self.listen(lambda: "Page.loadEventFired" in self.events)
 
     def run(self, script):
-        """The value of an expression, or what its promise gives."""
-        answer = self.call("Runtime.evaluate", expression=script, awaitPromise=True,
+        """The value of an expression, or what its promise gives; $ and $$ are as on a console."""
+        answer = self.call("Runtime.evaluate", expression=CONSOLE + script, awaitPromise=True,
                            returnByValue=True)
         if "exceptionDetails" in answer:
             raise Fault(answer["exceptionDetails"].get("exception", {}).get("description", "")
@@ -169,6 +187,22 @@ class Browser:
         root = self.call("DOM.getDocument")["root"]["nodeId"]
         node = self.call("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
         self.call("DOM.setFileInputFiles", nodeId=node, files=[path])
+
+
+def without_live(page, without_module):
+    """Opens a page where JavaScript, WebAssembly or DecompressionStream is missing, or its module's
+    file is gone: yields what is missing, the browser, and what its console should not have."""
+    for lacks in ("", "delete window.WebAssembly", "WebAssembly.validate = () => false",
+                  "delete window.DecompressionStream", "no module"):
+        with Browser() as browser:
+            no_module = lacks == "no module"
+            browser.call("Emulation.setScriptExecutionDisabled", value=lacks == "")
+            browser.call("Page.addScriptToEvaluateOnNewDocument", source="" if no_module else lacks)
+            browser.open(without_module() if no_module else page)
+            time.sleep(1)
+            browser.call("Emulation.setScriptExecutionDisabled", value=False)
+            # where the file is missing, the browser itself says so
+            yield lacks, browser, [] if no_module else browser.log
 
 
 def run_checks(checks, *given, prepare=lambda browser: None, flags=()):

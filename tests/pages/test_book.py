@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "browser"))
-from browser import Browser, Fault, installed  # noqa: E402
+from browser import Browser, Fault, typed_paths  # noqa: E402
 
 MOST_KB = 10752  # 10.5 MB of 1024 KB each
 
@@ -26,10 +26,10 @@ MOST_KB = 10752  # 10.5 MB of 1024 KB each
 LOOK = """(async () => {
   const faults = [];
   const start = (e) => e.outerHTML.slice(0, 80);
-  for (const e of document.querySelectorAll("details")) e.open = true;
+  for (const e of $$("details")) e.open = true;
   const width = document.documentElement.scrollWidth;
   if (width > innerWidth) {
-    const wide = [...document.querySelectorAll("main *")].find(
+    const wide = $$("main *").find(
       (e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest("pre, .scroll"));
     faults.push(`too wide: ${width}, ${wide ? start(wide) : "?"}`);
   }
@@ -41,19 +41,19 @@ LOOK = """(async () => {
     if (!image.hasAttribute("alt")) faults.push(`no alt text: ${start(image)}`);
     if (!image.naturalWidth) faults.push(`no picture: ${image.getAttribute("src")}`);
   }
-  for (const e of document.querySelectorAll("[src], link[href]")) {
+  for (const e of $$("[src], link[href]")) {
     if (/^https?:/.test(e.getAttribute("src") || e.getAttribute("href"))) faults.push(
       `needs the network: ${start(e)}`);
   }
-  for (const e of document.querySelectorAll("math")) {
+  for (const e of $$("math")) {
     const outside = [...e.querySelectorAll("*")].some((one) => !one.matches("mi, mn, mo, mtext") &&
       [...one.childNodes].some((n) => n.nodeType === 3));
     if (e.children.length !== 1 || outside || e.querySelector(
       "mi:empty, mfrac > :nth-child(3)")) faults.push(`a formula: ${start(e)}`);
   }
-  const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
+  const ids = $$("[id]").map((e) => e.id);
   if (new Set(ids).size !== ids.length) faults.push("an id is used twice");
-  for (const e of document.querySelectorAll("button, input, summary, a")) {
+  for (const e of $$("button, input, summary, a")) {
     if (!(e.textContent.trim() || e.labels?.length || e.getAttribute("aria-label") ||
       e.querySelector("img"))) faults.push(`no name: ${start(e)}`);
   }
@@ -74,13 +74,13 @@ LOOK = """(async () => {
     const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
     return (light + 0.05) / (dark + 0.05);
   };
-  for (const e of document.querySelectorAll("#search, main button, main select")) {
+  for (const e of $$("#search, main button, main select")) {
     const ratio = contrast(numbers(getComputedStyle(e).borderTopColor), background(
       e.parentElement));
     if (ratio < 3) faults.push(`contrast of a border ${ratio.toFixed(2)}: ${start(e)}`);
   }
   const seen = new Set();
-  for (const e of document.querySelectorAll("body *")) {
+  for (const e of $$("body *")) {
     if (![...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim())) continue;
     const style = getComputedStyle(e);
     if (parseFloat(style.fontSize) < 11) faults.push(`letters of ${style.fontSize}: ${start(e)}`);
@@ -91,11 +91,11 @@ LOOK = """(async () => {
     if (ratio < (parseFloat(style.fontSize) >= 24 ? 3 : 4.5)) faults.push(
       `contrast ${ratio.toFixed(2)}: ${start(e)}`);
   }
-  for (const e of document.querySelectorAll("img[src$='.svg'], img[data-letters]")) {
+  for (const e of $$("img[src$='.svg'], img[data-letters]")) {
     if (e.clientWidth < 10.9 / (e.dataset.letters || 13) * e.naturalWidth) faults.push(
       `letters shrink below 11 px: ${start(e)}`);
   }
-  for (const e of document.querySelectorAll(".crops svg")) if (e.clientWidth < 125) faults.push(
+  for (const e of $$(".crops svg")) if (e.clientWidth < 125) faults.push(
     `a crop is ${e.clientWidth} px wide: ${start(e)}`);
   return faults;
 })()"""
@@ -103,7 +103,7 @@ LOOK = """(async () => {
 # The characters a line of paragraphs of at least four lines; the last line is half full.
 MEASURE = """(() => {
   const counts = [];
-  for (const p of document.querySelectorAll("main > p:not([class], :has(> img, > .crops))")) {
+  for (const p of $$("main > p:not([class], :has(> img, > .crops))")) {
     const lines = Math.round(p.clientHeight / parseFloat(getComputedStyle(p).lineHeight));
     if (lines >= 4) counts.push(p.textContent.length / (lines - 0.5));
   }
@@ -116,7 +116,7 @@ USES = {
         (
             "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '/', "
             "bubbles: true}))", "document.activeElement.id === 'search'"),
-        ("find('lambert')", "[...document.querySelectorAll('#found a')].some((a) => "
+        ("find('lambert')", "$$('#found a').some((a) => "
                             "a.getAttribute('href').startsWith('01_plain_spheres.html'))"),
         # The phrase first, and marked as one; whole words before those that begin so; nothing
         # within a word.
@@ -127,31 +127,31 @@ USES = {
         ("find('texel half')", "texts('#found mark').includes('texel') && texts('#found "
                                "mark').includes('half')"),
         ("find('lamber')", "texts('#found mark').some((mark) => /^lambert$/i.test(mark))"),
-        ("find('exel')", "document.querySelector('#found').textContent.startsWith('Nothing')"),
-        ("find('qqqzzz')", "document.querySelector('#found').textContent.startsWith('Nothing')"),
+        ("find('exel')", "$('#found').textContent.startsWith('Nothing')"),
+        ("find('qqqzzz')", "$('#found').textContent.startsWith('Nothing')"),
         ("delete window.DecompressionStream; find('lambert')",
-         "document.querySelector('#found').textContent.startsWith('Search needs a newer browser')"),
+         "$('#found').textContent.startsWith('Search needs a newer browser')"),
         ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape', "
          "bubbles: true})); document.activeElement.blur()",
-         "document.querySelector('#found').hidden"),
+         "$('#found').hidden"),
         ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', "
          "bubbles: true}))", "location.href.endsWith('02_checkerboard_uv.html')"),
     ],
     "diff/02-03/index.html": [
-        ("{ const s = document.querySelector('.slider input'); s.value = 25; s.dispatchEvent(new "
+        ("{ const s = $('.slider input'); s.value = 25; s.dispatchEvent(new "
          "Event('input')); }", "cut() === '25%'"),
-        ("document.querySelectorAll('.slider button')[1].click()", "cut() === '100%'"),
-        ("document.querySelectorAll('.slider button')[2].click()", "cut() === '0%'"),
-        ("document.querySelector('.slider button').click()",
-         "document.querySelector('.slider button').getAttribute('aria-pressed') === 'true'"),
-        ("document.querySelector('.slider button').click()",
-         "document.querySelector('.slider button').getAttribute('aria-pressed') === 'false'"),
-        ("", "[...document.querySelectorAll('input, button, pre[tabindex]')].filter((e) => { "
+        ("$$('.slider button')[1].click()", "cut() === '100%'"),
+        ("$$('.slider button')[2].click()", "cut() === '0%'"),
+        ("$('.slider button').click()",
+         "$('.slider button').getAttribute('aria-pressed') === 'true'"),
+        ("$('.slider button').click()",
+         "$('.slider button').getAttribute('aria-pressed') === 'false'"),
+        ("", "$$('input, button, pre[tabindex]').filter((e) => { "
              "e.focus(); return document.activeElement === e; }).length === 5"),
     ],
     "gallery.html": [
         ("",
-         "[...document.querySelectorAll('figure img')].filter((e) => e.naturalWidth).length >= 15"),
+         "$$('figure img').filter((e) => e.naturalWidth).length >= 15"),
     ],
     "index.html": [
         ("", "texts('.path span').slice(0, 3).join() === '●●○,○○●,○○○'"),
@@ -161,19 +161,17 @@ USES = {
              "texts('.path li')[1].includes('changes 76 of 480,000 pixels')"),
     ],
     "symptoms.html": [
-        ("find('normal')", "document.querySelector('#found').getBoundingClientRect().left >= 0 && "
+        ("find('normal')", "$('#found').getBoundingClientRect().left >= 0 && "
                            "texts('#found a').length > 3"),
-        ("document.querySelector('h1').dispatchEvent(new PointerEvent('pointerdown', "
-         "{bubbles: true}))",
-         "document.querySelector('#found').hidden"),
+        ("$('h1').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))",
+         "$('#found').hidden"),
         ("", "texts('.cards article').length >= 19 && !texts('th').length"),
         ("", "texts('.two')[0].trim() === 'yoursright' && texts('.cards h3')[0].startsWith('… "
              "mirrored') && texts('.cards a')[0] === 'chapter 04'"),
         ("", "texts('.two').every((e) => e.trim() === 'yoursright') && "
-             "document.querySelectorAll('.two img').length === 2 * texts('.two').length"),
-        ("", "[...document.querySelectorAll('.cards article')].every((e) => "
-             "e.querySelector('img').src.includes('-' + e.id + '.png')) && "
-             "!!document.getElementById('mirrored')"),
+             "$$('.two img').length === 2 * texts('.two').length"),
+        ("", "$$('.cards article').every((e) => e.querySelector('img').src.includes('-' + e.id + "
+             "'.png')) && !!document.getElementById('mirrored')"),
     ],
     # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors;
     # parentheses fall away.
@@ -191,60 +189,55 @@ USES = {
         # Bars on common axes: twice as long for twice the number.
         ("", "texts('.bars th').join('|') === 'layout|largest texel, 0 to 2|stretch, 0 to "
              "3|seams, 0 to 600'"),
-        ("", "[...document.querySelectorAll('.bars td[data-head=seams]')].every((e) => "
+        ("", "$$('.bars td[data-head=seams]').every((e) => "
              "Math.abs(e.querySelector('.bar').width.baseVal.value * 6 - "
-             "parseFloat(e.textContent)) < 0.5) && document.querySelectorAll('.bars "
-             ".open').length === 4"),
+             "parseFloat(e.textContent)) < 0.5) && $$('.bars .open').length === 4"),
     ],
-    "12_environment_map.html": [("", "fraction('2π', 'width') && "
-                                     "texts('mi').includes('albedo')")],
+    "12_environment_map.html": [("", "fraction('2π', 'width') && texts('mi').includes('albedo')")],
     "04_uv_conventions.html": [("", "texts('.quad figcaption')[0] === 'daily exercise: u runs "
                                     "west, v runs south, a picture on it is mirrored'")],
     "13_speed_for_accuracy.html": [
         # The plot has what the reader's ./course run 13 measured.
-        ("", "document.querySelectorAll('.budget-point').length === 3 && "
-             "document.querySelector('.budget-front').points.numberOfItems === 2"),
-        ("document.querySelector('[aria-label^=\"float-pack, degree 5\"]').dispatchEvent(new "
-         "MouseEvent('click'))",
+        ("", "$$('.budget-point').length === 3 && $('.budget-front').points.numberOfItems === 2"),
+        ("$('[aria-label^=\"float-pack, degree 5\"]').dispatchEvent(new MouseEvent('click'))",
          "/0.21 texels off. 5,747 pixels .* 20 times as fast/.test(texts('.budget-says')[0])"),
     ],
     "14_numerical_extremes.html": [
-        ("document.querySelector('#exhibit-turns').scrollIntoView()",
+        ("$('#exhibit-turns').scrollIntoView()",
          "texts('.names [aria-current]').join() === 'turns'"),
         ("", "texts('.pairs strong').join() === 'from-1e5,pole,needle,small' && texts('.pairs "
              "figcaption')[1].endsWith('acos magnifies the rounding of y')"),
         ("", "texts('.exhibits article').length === 20 && shown('.pairs .two "
              "span')[0].startsWith('published, float29669 wrong, 2000 texels off') && "
              "texts('sup').includes('k − 23')"),
-        ("document.querySelector('.pairs svg').dispatchEvent(new MouseEvent('click', "
-         "{bubbles: true}))",
+        ("$('.pairs svg').dispatchEvent(new MouseEvent('click', {bubbles: true}))",
          "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, "
             "0.11 texels off|robust, double0 wrong, 1.2e-11 texels off||published, float')"),
     ],
     "05_y_rotation.html": [
         ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate') && "
              "texts('td').includes('(−1,\u00a00,\u00a00)')"),
-        ("document.querySelector('button[data-frames]').click()",
+        ("$('button[data-frames]').click()",
          "/_00[1-9].png$/.test(turning().src)"),
-        ("document.querySelector('button[data-frames]').click()",
+        ("$('button[data-frames]').click()",
          "turning().getAttribute('src') === '05_y_rotation_000.png'"),
         ("Object.defineProperty(navigator, 'clipboard', {value: {writeText(words) { window.copied "
-         "= words; }}}); document.querySelector('.command button').click()",
+         "= words; }}}); $('.command button').click()",
          "copied === './course run 05 --degrees 30' && texts('.command button')[0] === 'Copied'"),
         ("",
-         "[...document.querySelectorAll('.command button')].every((e) => e.offsetHeight >= 36)"),
+         "$$('.command button').every((e) => e.offsetHeight >= 36)"),
     ],
 }
 HELPERS = """
-function find(words) { const box = document.querySelector('#search'); box.value = words;
+function find(words) { const box = $('#search'); box.value = words;
   box.dispatchEvent(new Event('input')); }
-function shown(what) { return [...document.querySelectorAll(what)].filter(
+function shown(what) { return $$(what).filter(
   (e) => e.getClientRects().length).map((e) => e.textContent.replaceAll("\\u2060", "")); }
-function cut() { return document.querySelector('.pair').style.getPropertyValue('--cut'); }
-function texts(what) { return [...document.querySelectorAll(what)].map((e) => e.textContent); }
-function fraction(above, below) { return [...document.querySelectorAll("mfrac")].some((e) =>
+function cut() { return $('.pair').style.getPropertyValue('--cut'); }
+function texts(what) { return $$(what).map((e) => e.textContent); }
+function fraction(above, below) { return $$("mfrac").some((e) =>
   e.children[0].textContent === above && e.children[1].textContent === below); }
-function turning() { return document.querySelector('button[data-frames]').closest(
+function turning() { return $('button[data-frames]').closest(
   'figure').querySelector('img'); }"""
 
 
@@ -435,13 +428,8 @@ def faults_of_links(book, root, work):
         yield f"links that lead nowhere: status {made.returncode}, {made.stdout}"
 
 
-def main(words):
-    if len(words) != 3:
-        raise SystemExit(__doc__.strip())
-    if not installed():
-        print("skipped: no browser (chromium or google-chrome) is installed")
-        return 77
-    book, root, programs = (pathlib.Path(word).resolve() for word in words)
+def main():
+    book, root, programs = typed_paths(__doc__, 3)
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out"
         make_out(book, root, programs, out)
@@ -461,4 +449,4 @@ def main(words):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

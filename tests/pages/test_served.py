@@ -18,19 +18,19 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.append(str(Path(__file__).resolve().parents[1] / "browser"))
-from browser import installed, run_checks  # noqa: E402
+from browser import run_checks, typed_paths  # noqa: E402
 
 FILES_ALONE = "default-src 'self'"
 WITH_WASM = FILES_ALONE + "; script-src 'self' 'wasm-unsafe-eval'"
-LIVE = "document.querySelector('.live, .budget, .hero')"
+LIVE = "$('.live, .budget, .hero')"
 DONE = f"{LIVE}?.dataset.state === 'done'"
-SAYS = "document.querySelector('.live-says').textContent"
-COMMAND = "document.querySelector('.live-command code').textContent"
+SAYS = "$('.live-says').textContent"
+COMMAND = "$('.live-command code').textContent"
 # What moves by itself, as parts of the window.
 SHIFTS = """window.shift = 0; new PerformanceObserver((list) => {
   for (const one of list.getEntries()) if (!one.hadRecentInput) shift += one.value;
 }).observe({type: "layout-shift", buffered: true});"""
-BOTTOM = "(what) => document.querySelector(what)?.getBoundingClientRect().bottom ?? 0"
+BOTTOM = "(what) => $(what)?.getBoundingClientRect().bottom ?? 0"
 
 
 class Place:
@@ -93,7 +93,7 @@ def check_forbidden(place, browser):
     for page in [*place.chapters[1:], "index.html"]:
         place.open(browser, page)
         browser.wait("document.body.textContent.includes('policy forbids WebAssembly')", 30)
-        if browser.run("[...document.querySelectorAll('main img, main svg')].every((one) => "
+        if browser.run("$$('main img, main svg').every((one) => "
                        "one.getBoundingClientRect().height < 100)"):
             yield f"{page}: no picture"
 
@@ -124,14 +124,13 @@ def check_addresses(place, browser):
             if says not in browser.run(SAYS) or not says and browser.run(SAYS):
                 yield f"{asked}: the page says {browser.run(SAYS)!r}"
             if "277" in asked:
-                browser.wait("document.querySelector('.live-loupe').textContent.includes("
-                             "'column 444, row 277')", 20)
+                browser.wait("$('.live-loupe').textContent.includes('column 444, row 277')", 20)
         place.open(browser, "06_phong_texture_blend.html#scene=lecture", is_file)  # presets others
         browser.wait(f"{DONE} && {COMMAND} === './course run 06 --scene lecture'", 20)
         place.open(browser, "05_y_rotation.html", is_file)
         browser.wait(DONE, 20)
         # A moved slider is in the address, and an address of hand moves the slider.
-        field = "document.getElementById('live--degrees')"
+        field = "$('#live--degrees')"
         browser.run(f"{field}.value = 12; {field}.dispatchEvent(new Event('input'))")
         browser.wait("location.hash === '#degrees=12'", 20)
         browser.run("location.hash = 'degrees=77&samples=4'")
@@ -139,7 +138,7 @@ def check_addresses(place, browser):
         place.open(browser, "05_y_rotation.html?only=picture#degrees=63", is_file)
         browser.wait(DONE, 20)
         browser.size(320, 600)
-        if browser.run("[...document.querySelectorAll('header, h1, main > p')].some((one) => "
+        if browser.run("$$('header, h1, main > p').some((one) => "
                        "one.getClientRects().length) || document.documentElement.scrollWidth > 320 "
                        f"|| ({BOTTOM})('.live-most') > 600"):
             yield "?only=picture shows more than the picture, or it does not fit"
@@ -154,9 +153,9 @@ def check_own_addresses(place, browser):
             ("14_numerical_extremes.html", "#exhibit=pole&at=0.5&number=double", "#extreme", "0.5",
              "1.25")):
         place.open(browser, page + asked)
-        browser.wait(f"{DONE} && document.querySelector({field!r}).value === {value!r}", 60)
+        browser.wait(f"{DONE} && $({field!r}).value === {value!r}", 60)
         browser.run(f"((one) => {{ one.value = {other}; one.dispatchEvent(new Event('input')); }})"
-                    f"(document.querySelector({field!r}))")
+                    f"($({field!r}))")
         now = browser.run("location.hash")
         if now != asked.replace("=" + value, "=" + other):
             yield f"{page}: at {other} the address ends in {now}"
@@ -167,23 +166,23 @@ def check_own_addresses(place, browser):
 WITHOUT_CODE = {"", "pixel", "filter", "mean light", "spread", "error of the mean", "here"}
 # Points at places of the picture in its window; gives each row and where its name leads.
 ROWS = """(async () => {
-  const canvas = document.querySelector(".live-picture canvas"), rows = {};
+  const canvas = $(".live-picture canvas"), rows = {};
   const box = canvas.getBoundingClientRect();
   for (let i = 1; i < 14; ++i) for (let j = 1; j < 10; ++j) {
     canvas.dispatchEvent(new PointerEvent("pointermove", {clientX: box.left + box.width * i / 14,
       clientY: box.top + box.height * j / 10, bubbles: true, pointerType: "mouse"}));
     await new Promise((done) => setTimeout(done, 25));
-    for (const row of document.querySelectorAll(".live-loupe tr"))
+    for (const row of $$(".live-loupe tr"))
       rows[row.dataset.name] = row.querySelector("th a")?.getAttribute("href") || "";
   }
   return rows;
 })()"""
 # Points at a row: gives what lines say at their ends, and whether all that are lit can be seen.
 POINT = """((name) => {
-  const row = [...document.querySelectorAll(".live-loupe tr")].find(
+  const row = $$(".live-loupe tr").find(
     (one) => one.dataset.name === name);
   row.cells[0].dispatchEvent(new PointerEvent("pointerover", {bubbles: true}));
-  const lit = [...document.querySelectorAll("pre .live-lit")];
+  const lit = $$("pre .live-lit");
   return [lit.flatMap((one) => one.dataset.value || []),
     lit.every((one) => one.getClientRects().length), row.cells[1].textContent];
 })"""
@@ -206,29 +205,27 @@ def check_rows(place, browser):
             text = (place.out / (file or page)).read_text() if leads else ""
             if leads and f'id="{line}"' not in text:
                 yield f"{page}: the row {name!r} leads nowhere: {leads}"
-        named = browser.run("[...document.querySelectorAll('[data-row]')].flatMap((line) => "
-                            "line.dataset.row.split('|'))")
+        named = browser.run("$$('[data-row]').flatMap((line) => line.dataset.row.split('|'))")
         known = {part for name in seen for part in (name, *name.split(", "))}
         if set(named) - known:
             yield f"{page}: no row has the lines of {set(named) - known}"
         for name in sorted({one for one in seen if seen[one].startswith("#")} & set(browser.run(
-                "[...document.querySelectorAll('.live-loupe tr')].map((row) => "
-                "row.dataset.name)"))):
+                "$$('.live-loupe tr').map((row) => row.dataset.name)"))):
             values, shown, told = browser.run(f"{POINT}({name!r})")
             said = {part.partition(": ")[2] or part for one in values for part in one.split("; ")}
             if not shown or not any(one in told for one in said):
                 yield f"{page}: at {name!r}, {told!r}, the lines say {values}, shown: {shown}"
 
 
-BROKEN = "document.querySelector('.live-break')"
+BROKEN = "$('.live-break')"
 VERDICT = f"{BROKEN}.querySelector('div')"
-HERE_ONLY = "document.querySelector('.live-command > span:last-child').textContent"
+HERE_ONLY = "$('.live-command > span:last-child').textContent"
 CHOOSE = f"""((k) => {{ const list = {BROKEN}.querySelector("select");
   list.selectedIndex = k; list.dispatchEvent(new Event("change")); }})"""
 # The pixels of a canvas in the picture that are not those of the page's right picture.
 UNLIKE = """((canvas) => {
-  const {width, height} = document.querySelector(canvas);
-  const pixels = new Uint32Array(document.querySelector(canvas).getContext("2d")
+  const {width, height} = $(canvas);
+  const pixels = new Uint32Array($(canvas).getContext("2d")
     .getImageData(0, 0, width, height).data.buffer);
   window.right ??= pixels;
   return right.filter((one, i) => one !== pixels[i]).length;
@@ -246,7 +243,7 @@ def check_mistakes(place, browser):
     for page in place.chapters:
         place.open(browser, page)
         browser.wait("true" if page[:2] == "00" else DONE, 60)
-        slips = json.loads(browser.run("document.querySelector('main').dataset.slips || '[]'"))
+        slips = json.loads(browser.run("$('main').dataset.slips || '[]'"))
         if page[:2] == "12":
             del slips[2:]  # its light takes seconds
         if slips:
@@ -268,7 +265,7 @@ def check_mistakes(place, browser):
         for _ in range(2 if slips else 0):
             browser.run(f"{BROKEN}.querySelector('button').click()")
             browser.wait(f"!!{VERDICT}.querySelector('button')", 60)
-            is_hidden = browser.run("document.querySelector('.live-command').hidden")
+            is_hidden = browser.run("$('.live-command').hidden")
             answer = browser.run(f"{VERDICT}.querySelector('button').textContent")
             browser.run(f"{VERDICT}.querySelector('button').click()")
             says = browser.run(f"{VERDICT}.textContent")
@@ -285,13 +282,8 @@ def check_mistakes(place, browser):
         yield f"only {tried} mistakes"
 
 
-def main(words):
-    if len(words) != 2:
-        raise SystemExit(__doc__.strip())
-    book, root = (Path(word).resolve() for word in words)
-    if not installed() or not (root / "docs/live/modules.js").exists():
-        print("skipped: no browser (chromium or google-chrome) is installed, or no live pictures")
-        return 77
+def main():
+    book, root = typed_paths(__doc__, 2, lambda _, root: root / "docs/live/modules.js")
     with tempfile.TemporaryDirectory() as folder:
         place = Place(book, root, Path(folder))
         failed = run_checks((check_screens, check_forbidden, check_addresses, check_own_addresses,
@@ -301,4 +293,4 @@ def main(words):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

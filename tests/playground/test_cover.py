@@ -11,22 +11,20 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 from fractions import Fraction
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.append(str(Path(__file__).resolve().parents[1] / "browser"))
-from browser import Browser, installed, run_checks  # noqa: E402
+from browser import run_checks, typed_paths, without_live  # noqa: E402
 
-HERO = "document.querySelector('.hero')"
-SLIDER = "document.querySelector('.far input')"
-CANVAS = "document.querySelector('.hero canvas')"
+HERO = "$('.hero')"
+SLIDER = "$('.far input')"
+CANVAS = "$('.hero canvas')"
 DISTANCES = (0, 200, 330, 500, 800)
 PIXELS = ((0.15, 0.4), (0.22, 0.62), (0.3, 0.25), (0.35, 0.75), (0.45, 0.5), (0.55, 0.3),
           (0.6, 0.7), (0.7, 0.45), (0.8, 0.55), (0.03, 0.04))
-ROWS = ("[...document.querySelectorAll('.hero tbody tr')].map((row) => "
-        "[...row.cells].slice(1).map((cell) => cell.innerHTML))")
+ROWS = ("$$('.hero tbody tr').map((row) => [...row.cells].slice(1).map((cell) => cell.innerHTML))")
 
 
 def move(browser, value):
@@ -122,7 +120,7 @@ def check_controls(place, browser):
     browser.run(CANVAS + ".focus()")
     column = browser.run(HERO + ".numbers.pixel[1]")
     after("ArrowRight", HERO + ".numbers.pixel[1]", column + 1)
-    browser.wait("document.querySelector('.said[role]').textContent.includes('published 0.')", 5)
+    browser.wait("$('.said[role]').textContent.includes('published 0.')", 5)
     browser.run(SLIDER + ".focus()")
     text = SLIDER + ".getAttribute('aria-valuetext')"
     after("Home", text, "'1 radius from the surface'")
@@ -154,17 +152,16 @@ def check_narrow(place, browser):
         for value in DISTANCES:
             move(browser, value)
             wide = browser.run("document.documentElement.scrollWidth")
-            table = browser.run("(() => { const t = document.querySelector('.hero table'); return "
+            table = browser.run("(() => { const t = $('.hero table'); return "
                                 "t.scrollWidth - t.parentElement.clientWidth; })()")
             if wide > width or table > 0:
                 yield f"{width} wide, at {value}: the page has {wide}, the table {table} too many"
-            browser.run("document.querySelector('.hero caption button').click()")
+            browser.run("$('.hero caption button').click()")
     browser.size(360, 900)
-    shown = ("[...document.querySelectorAll('.hero thead th')].filter((e) => "
-             "e.offsetWidth).map((e) => e.textContent).join()")
+    shown = ("$$('.hero thead th').filter((e) => e.offsetWidth).map((e) => e.textContent).join()")
     if browser.run(shown) != "published,ours":
         yield "the columns are " + browser.run(shown)
-    browser.run("document.querySelector('.hero caption button').click()")
+    browser.run("$('.hero caption button').click()")
     if browser.run(shown) != "published,true":
         yield "after the touch the columns are " + browser.run(shown)
 
@@ -172,22 +169,15 @@ def check_narrow(place, browser):
 def check_still(place, browser):
     """Without JavaScript, WebAssembly, DecompressionStream or the module's file the still picture
     stays, and no control is there."""
-    for lacks in ("delete window.WebAssembly", "delete window.DecompressionStream", "",
-                  "no module"):
-        with Browser() as other:
-            other.call("Page.addScriptToEvaluateOnNewDocument",
-                       source=lacks if lacks != "no module" else "")
-            other.call("Emulation.setScriptExecutionDisabled", value=lacks == "")
-            if lacks == "no module":  # the browser itself says so
-                (place.out / "live/cover.js").unlink()
-            other.open(place.page)
-            time.sleep(1)
-            other.call("Emulation.setScriptExecutionDisabled", value=False)
-            if other.run(f"[{CANVAS}, {SLIDER}].some((one) => "
-                         "one.checkVisibility({visibilityProperty: true})) || "
-                         "document.querySelector('.stage img').offsetHeight < 100"):
-                yield f"{lacks}: there are controls, or no picture"
-            yield from other.log if lacks != "no module" else []
+    def without_module():
+        (place.out / "live/cover.js").unlink()
+        return place.page
+    for lacks, other, log in without_live(place.page, without_module):
+        if other.run(f"[{CANVAS}, {SLIDER}].some((one) => "
+                     "one.checkVisibility({visibilityProperty: true})) || "
+                     "$('.stage img').offsetHeight < 100"):
+            yield f"{lacks}: there are controls, or no picture"
+        yield from log
 
 
 def check_squares(place, browser):
@@ -200,15 +190,13 @@ def check_squares(place, browser):
                    if re.match(what, name))
     code = r".*(\.(cpp|hpp|h|in|py|sh|js|css|html|cmake)|CMakeLists\.txt)$"
     mine = [int(text.replace(",", ""))
-            for text in browser.run("[...document.querySelectorAll('.squares strong')].map((e) => "
-                                    "e.textContent)")]
+            for text in browser.run("$$('.squares strong').map((e) => e.textContent)")]
     lessons = lines(r"chapters/.*/lesson\.hpp")
     rooms = lessons + lines(r"common/(math|scene|texture|sampling|published|number/[a-z_]+\.)")
     everything = lines(rf"((chapters|common|tests|assets)/{code}|course$|\.ci/run$)")
     if (place.root / ".git").exists() and mine != [everything, rooms, lessons]:
         yield f"the numbers are {mine}, and git has {[everything, rooms, lessons]}"
-    sides = browser.run("[...document.querySelectorAll('.squares s')].map((e) => "
-                        "e.getBoundingClientRect().width)")
+    sides = browser.run("$$('.squares s').map((e) => e.getBoundingClientRect().width)")
     for side, number in zip(sides, mine):
         if abs(side / sides[0] - math.sqrt(number / mine[0])) > 0.005:
             yield f"{number} lines have the side {side}, all have {sides[0]}"
@@ -221,14 +209,8 @@ class Place:
         subprocess.run([book, root, out], stdout=subprocess.DEVNULL, check=True)
 
 
-def main(words):
-    if len(words) != 3:
-        raise SystemExit(__doc__.strip())
-    book, root, printer = (Path(word).resolve() for word in words)
-    if not installed() or not (root / "docs/live/cover.js").exists():
-        print("skipped: no browser (chromium or google-chrome) is installed, or ./course "
-              "playground has made nothing")
-        return 77
+def main():
+    book, root, printer = typed_paths(__doc__, 3, lambda *paths: paths[1] / "docs/live/cover.js")
     with tempfile.TemporaryDirectory() as folder:
         place = Place(book, root, printer, Path(folder))
 
@@ -244,4 +226,4 @@ def main(words):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -23,7 +23,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path += [str(Path(__file__).resolve().parents[2] / folder)
              for folder in ("tests/browser", "common/tools/grade")]
-from browser import Browser, installed, run_checks  # noqa: E402
+from browser import run_checks, typed_paths, without_live  # noqa: E402
 from pictures import png  # noqa: E402
 
 # The default picture of each chapter comes first; then what a reader sets on its page, from the
@@ -52,14 +52,14 @@ SETTINGS = {
     "12": [{"light": "uniform", "samples": 3}, {"light": "mis", "exposure": "-2", "samples": 5},
            {"light": "coefficients", "degrees": "90", "samples": 2}],
 }
-STATE = "document.querySelector('.live')?.dataset.state"
-CANVAS = "document.querySelector('.live-picture > canvas')"
-SAYS = "document.querySelector('.live-says').textContent"
-COMMAND = "document.querySelector('.live-command code').textContent"
+STATE = "$('.live')?.dataset.state"
+CANVAS = "$('.live-picture > canvas')"
+SAYS = "$('.live-says').textContent"
+COMMAND = "$('.live-command code').textContent"
 # Rows of the loupe, and the chapters that explain them.
 FIRST_IN = (("02", "u"), ("02", "v"), ("02", "square"), ("03", "texel"), ("05", "n rotated"),
             ("06", "r"), ("06", "highlight"))
-LOUPE = "document.querySelector('.live-loupe')"
+LOUPE = "$('.live-loupe')"
 # Keeps the page's workers, and what each said, on a machine of four cores.
 WORKERS = """window.workers = [];
   window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this);
@@ -135,8 +135,7 @@ def settle(browser, also="true"):
 
 
 def press(browser, button):
-    browser.run("[...document.querySelectorAll('.live button')].find((b) => b.textContent === "
-                f"'{button}').click()")
+    browser.run(f"$$('.live button').find((b) => b.textContent === '{button}').click()")
 
 
 def change(browser, **options):
@@ -144,7 +143,7 @@ def change(browser, **options):
     may come in place of the small one."""
     for option, value in options.items():
         browser.run(f"""(() => {{
-          const field = document.getElementById("live--{option}");
+          const field = $("#live--{option}");
           if (field.disabled) field.parentElement.querySelector("input[type=checkbox]").click();
           field.value = {str(option == "shininess").lower()} || (field.type === "range" &&
             "{option}" === "samples") ? Math.log10({value!r}) : {value!r};
@@ -185,91 +184,81 @@ def check_pixels(place, browser):
                 continue
             yield from place.unlike(pixels(browser), words)
             if "--samples" not in words:  # a small picture takes one ray a pixel, or a few samples
-                small = pixels(browser, "document.querySelector('.live').small")
+                small = pixels(browser, "$('.live').small")
                 drawn_by = json.loads(
-                    browser.run("document.querySelector('.live').small.dataset.words"))
+                    browser.run("$('.live').small.dataset.words"))
                 yield from place.unlike(small, words[:3] + drawn_by, *small[:2])
 
 
 def check_files(place, browser):
     """A bad file is refused in words, and the picture before stays; a good one, chosen or dropped,
-    is drawn as the program draws it."""
-    def file(name, data):
-        (place.folder / name).write_bytes(data)
-        return place.folder / name
-
+    is drawn as the program draws it: textures, a mesh, a normal map, a sky."""
     header = struct.pack(">4sIIBBBBB", b"IHDR", 2000000000, 2000000000, 8, 2, 0, 0, 0)
     one = png(1, 1, bytes(3))
-    bad = [file("no picture.png", b"these are words"), file("empty.png", b""),
-           file("large.png", b""),
-           file("huge.png", one[:12] + header + struct.pack(">I", zlib.crc32(header)) + one[33:])]
-    os.truncate(bad[2], (64 << 20) + 1)
-    good = {"06": file("my map.png", png(4, 2, bytes([*range(0, 240, 20), *range(240, 0, -20)]))),
-            "03": file("glass.png", png(4, 2, bytes([*range(0, 256, 16), *range(240, -16, -16)])))}
-    for chapter, chosen in good.items():
-        place.show(browser, f"{chapter}.html")
-        before = pixels(browser)
-        for one in bad:
-            browser.choose_file(".live input[type=file]", str(one))
-            browser.wait(f"{SAYS}.includes({one.name!r})", 20)
+    bad = {"no picture.png": b"these are words", "empty.png": b"", "large.png": b"",
+           "huge.png": one[:12] + header + struct.pack(">I", zlib.crc32(header)) + one[33:]}
+    tent = "v 0 0 0\nv 2 0 0\nv 1 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"
+    # The chapter, which of its files, a good one, bad ones, and what is set.
+    for chapter, nth, (name, data), bad_files, more in (
+            ("06", 1, ("my map.png", png(4, 2, bytes([*range(0, 240, 20), *range(240, 0, -20)]))),
+             bad, {}),
+            ("03", 1, ("glass.png", png(4, 2, bytes([*range(0, 256, 16), *range(240, -16, -16)]))),
+             bad, {}),
+            ("08", 2, ("tent.obj", tent.encode()), {"bad.obj": b"f 1 2 3\n"}, {}),
+            ("11", 3, ("up.png", png(4, 2, bytes((128, 128, 255)) * 8)),
+             {"inward.png": png(4, 2, bytes((128, 128, 9)) * 8)}, {}),
+            ("12", 1, ("sky.png", png(4, 2, bytes(range(0, 240, 10)))),
+             {"odd.png": png(3, 1, bytes(range(9)))}, {"samples": 3})):
+        for file, content in {name: data, **bad_files}.items():
+            (place.folder / file).write_bytes(content)
+            if file == "large.png":
+                os.truncate(place.folder / file, (64 << 20) + 1)
+
+        def choose(file):
+            browser.choose_file(f".live-open:nth-child({nth}) input", str(place.folder / file))
+
+        def refused(file, before):
+            choose(file)
+            browser.wait(f"{SAYS}.includes({file!r}) && /done|refused/.test({STATE})", 20)
             words = browser.run(SAYS)
-            if "own_" in words or len(words) < 20 or pixels(browser) != before:
-                yield (f"{one.name}: {words!r}, and the picture "
-                       f"{'stays' if pixels(browser) == before else 'changes'}")
+            stays = pixels(browser) == before and file not in browser.run(COMMAND)
+            if "own_" in words or len(words) < 20 or not stays:
+                yield f"{file}: {words!r}, and the picture {'stays' if stays else 'changes'}"
+
+        place.show(browser, f"{chapter}.html")
+        change(browser, **more)
+        before = pixels(browser)
+        for file in bad_files:
+            yield from refused(file, before)
         change(browser, show="uv")
         change(browser, show="color")
         if pixels(browser) != before:
             yield "after a bad file the picture cannot be drawn again"
-        if chapter == "06":
-            browser.choose_file(".live input[type=file]", str(chosen))
-        else:
+
+        def drop():
             browser.run(f"""(() => {{
-              const bytes = Uint8Array.from(
-                atob("{base64.b64encode(chosen.read_bytes()).decode()}"), (c) => c.charCodeAt(0));
+              const bytes = Uint8Array.from(atob("{base64.b64encode(data).decode()}"),
+                (c) => c.charCodeAt(0));
               // The second counts, although the first is still read.
-              for (const name of ["before.png", "{chosen.name}"]) {{
+              for (const name of ["before.png", "{name}"]) {{
                 const dataTransfer = new DataTransfer();
                 dataTransfer.items.add(new File([bytes], name));
                 {CANVAS}.dispatchEvent(new DragEvent("drop", {{dataTransfer, bubbles: true,
                   cancelable: true}}));
               }}
             }})()""")
-        settle(browser, f"{COMMAND}.includes('{chosen.name}')")
-        opened = browser.run("document.querySelector('.live-open > span').textContent")
-        if not opened.startswith(chosen.name) or ("transparent" in opened) != (chapter == "03"):
-            yield f"the page says of {chosen.name}: {opened!r}"
-        drawn = pixels(browser)
-        yield from place.unlike(drawn, shlex.split(browser.run(COMMAND)), *drawn[:2])
+
+        for k in range(3):  # the same again, too
+            drop() if chapter == "03" and k == 0 else choose(name)
+            settle(browser, f"{COMMAND}.includes('{name}')")
+            drawn = pixels(browser)
+            yield from place.unlike(drawn, shlex.split(browser.run(COMMAND)), *drawn[:2])
+        opened = browser.run(f"$('.live-open:nth-child({nth}) > span').textContent")
+        if not opened.startswith(name) or ("transparent" in opened) != (chapter == "03"):
+            yield f"the page says of {name}: {opened!r}"
         if drawn == before:
             yield f"{chapter}: the picture stays as it was"
-
-
-def check_meshes(place, browser):
-    """A mesh, normal map or sky of the reader's is drawn as the program draws it; a bad one is
-    refused by its name, and the picture before stays."""
-    for chapter, nth, good, bad in (("08", 2,
-                                     ("tent.obj", "v 0 0 0\nv 2 0 0\nv 1 2 1\nvt 0 0\nvt 1 0\nvt "
-                                                  "1 1\nf 1/1 2/2 3/3\n"),
-                                     ("bad.obj", "f 1 2 3\n")),
-                                    ("11", 3, ("up.png", png(4, 2, bytes((128, 128, 255)) * 8)),
-                                     ("inward.png", png(4, 2, bytes((128, 128, 9)) * 8))),
-                                    ("12", 1, ("sky.png", png(4, 2, bytes(range(0, 240, 10)))),
-                                     ("odd.png", png(3, 1, bytes(range(9)))))):
-        place.show(browser, f"{chapter}.html")
-        change(browser, **({"samples": 3} if chapter == "12" else {}))
-        before = pixels(browser)
-        for name, data in (bad, good, good, good, bad):
-            (place.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
-            browser.choose_file(f".live-open:nth-child({nth}) input", str(place.folder / name))
-            if name == good[0]:
-                settle(browser, f"{COMMAND}.includes({name!r})")
-                before = pixels(browser)
-                yield from place.unlike(before, shlex.split(browser.run(COMMAND)))
-                continue
-            browser.wait(f"{SAYS}.includes({name!r})", 20)
-            browser.wait(f"{STATE} === 'done'", 20)
-            if pixels(browser) != before or name in browser.run(COMMAND):
-                yield f"{name}: the picture changes, or the command names it"
+        yield from refused(file, drawn)
 
 
 def check_hands(place, browser):
@@ -289,31 +278,30 @@ def check_hands(place, browser):
                     ("mouseReleased", 0.75)):
         mouse(kind, x, 0.5, button="left", buttons=int(kind != "mouseReleased"), clickCount=1)
     settle(browser)
-    lamp = [float(browser.run(f"document.getElementById('live--lamp-{way}').value"))
+    lamp = [float(browser.run(f"$('#live--lamp-{way}').value"))
             for way in ("around", "up")]
     if abs(lamp[0] - 30) > 1 or abs(lamp[1]) > 1 or not browser.run(LOUPE + ".hidden"):
         yield f"the lamp is at {lamp}"
-    mouse = at("10.html", "document.querySelector('.live-second > canvas')")
+    mouse = at("10.html", "$('.live-second > canvas')")
     change(browser, projection="equirect")
     # the eye looks from +z, which is there by --convention rtiow
     for x, shown in ((0.25, True), (0.75, False)):
         mouse("mouseMoved", x, 0.42)
-        browser.wait("!document.querySelector('.live-second .live-mark').hidden && "
+        browser.wait("!$('.live-second .live-mark').hidden && "
                      f"{LOUPE}.hidden === {str(not shown).lower()}", 20)
     for kind in ("mousePressed", "mouseReleased"):
         mouse(kind, 0.25, 0.42, button="left", clickCount=1)
     mouse("mouseMoved", 0.75, 0.42)  # a click on the map holds its place, too
     browser.wait(f"{LOUPE}.textContent.includes('held')", 20)
     change(browser, projection="octahedral")
-    yield from place.unlike(pixels(browser, "document.querySelector('.live-second > canvas')"),
+    yield from place.unlike(pixels(browser, "$('.live-second > canvas')"),
                             ["./course", "run", "10", "--to", "octahedral"])
     browser.run("HTMLAnchorElement.prototype.click = function () { window.saved = this.download; }")
     press(browser, "Save the map")
     browser.wait("window.saved === 'octahedral.png'", 20)
     mouse = at("09.html")
-    browser.run("{ const f = document.querySelector('.live-line'); f.value = 20; "
-                "f.dispatchEvent(new Event('input')); }")
-    clip = browser.run("getComputedStyle(document.querySelector('.live-second > canvas')).clipPath")
+    browser.run("{ const f = $('.live-line'); f.value = 20; f.dispatchEvent(new Event('input')); }")
+    clip = browser.run("getComputedStyle($('.live-second > canvas')).clipPath")
     if "80%" not in clip and "100% - 20%" not in clip:
         yield f"the line at 20 % cuts by {clip}"
     for x, words, reads in ((0.15, "nearest, left", "reads1 texel of"),
@@ -334,16 +322,14 @@ def check_curves(place, browser):
     """The errors that 07 draws against samples are those of the programs' pictures against that of
     most samples by the best pattern."""
     place.open(browser, "07.html")
-    told = "document.querySelector('.live-trace svg')?.ariaLabel"
-    stands = "document.querySelector('.live-stand')?.clientHeight > 0"
+    told = "$('.live-trace svg')?.ariaLabel"
+    stands = "$('.live-stand')?.clientHeight > 0"
     # the still picture, until the last pass
-    browser.wait(f"{STATE} === 'drawing' && {stands} && "
-                 "document.querySelector('.live-stand').naturalWidth === 400")
+    browser.wait(f"{STATE} === 'drawing' && {stands} && $('.live-stand').naturalWidth === 400")
     settle(browser, f"!({stands})")
     browser.wait(f"{told}?.includes(' at 16')")
-    browser.run("new MutationObserver(() => window.stood ||= "
-                f"{stands}).observe(document.querySelector('.live-refined'), {{subtree: true, "
-                f"childList: true}})")
+    browser.run(f"new MutationObserver(() => window.stood ||= "
+                f"{stands}).observe($('.live-refined'), {{subtree: true, childList: true}})")
     change(browser, sampler="random")
     if browser.run("window.stood"):
         yield "by another pattern the still picture stands for one that it is not"
@@ -381,7 +367,7 @@ def check_more(place, browser):
                      "=== 'seen' && workers[2].said.at(-1)?.kind === 'seen'")
         drag = """(async () => {
           let before;
-          const field = document.getElementById('live--seed');
+          const field = $('#live--seed');
           for (let i = %d; i >= 0; --i) {
             field.value = %d + i %% 9; field.dispatchEvent(new Event('input'));
             before ??= workers[1].said.length;
@@ -401,7 +387,7 @@ def check_fields(place, browser):
     """A number that the chapter refuses is named beside its field; the one before stays, and other
     controls go on."""
     place.show(browser, "07.html")
-    row, other = (f"document.getElementById('live--{option}').parentElement"
+    row, other = (f"$('#live--{option}').parentElement"
                   for option in ("samples", "defocus"))
     for field in (row, other):  # the second before the first is refused
         browser.run(f"{{ const field = {field}.querySelector('[type=number]'); field.value = "
@@ -421,10 +407,10 @@ def check_lost(place, browser):
     place.show(browser, place.variant("impatient.html", "06", 'data-live="06"',
                                       'data-live="06" data-patience="4"'))
     for act in ("workers.at(-1).terminate()", "workers.at(-1).postMessage({kind: 'none'})"):
-        browser.run(act + "; { const f = document.getElementById('live--degrees'); f.value = 33; "
+        browser.run(act + "; { const f = $('#live--degrees'); f.value = 33; "
                           "f.dispatchEvent(new Event('input')); }")
         browser.wait(f"{STATE} === 'lost'", 30)
-        height = browser.run("document.querySelector('main img').getBoundingClientRect().height")
+        height = browser.run("$('main img').getBoundingClientRect().height")
         if height < 100 or not browser.run(CANVAS + ".hidden"):
             yield act + ": the still picture is not there"
         press(browser, "Try again")
@@ -442,22 +428,12 @@ def check_still(place, browser):
     (place.folder / "none/modules.js").unlink()
     page = place.variant("none.html", "03", '"live/live.js"', '"none/live.js"')
     heights = {}
-    for lacks in ("", "delete window.WebAssembly", "WebAssembly.validate = () => false",
-                  "delete window.DecompressionStream", "no module"):
-        with Browser() as other:
-            if lacks == "":
-                other.call("Emulation.setScriptExecutionDisabled", value=True)
-            elif lacks != "no module":
-                other.call("Page.addScriptToEvaluateOnNewDocument", source=lacks)
-            place.open(other, page if lacks == "no module" else "03.html")
-            time.sleep(1)
-            other.call("Emulation.setScriptExecutionDisabled", value=False)
-            if other.run("!!document.querySelector('.live') || document.querySelector('main "
-                         "img').getBoundingClientRect().height < 100"):
-                yield f"{lacks}: there are controls, or no picture"
-            heights[lacks] = other.run("document.documentElement.scrollHeight")
-            if lacks != "no module":  # there the browser itself says that a file is missing
-                yield from other.log
+    address = f"file://{place.folder}/"
+    for lacks, other, log in without_live(address + "03.html", lambda: address + page):
+        if other.run("!!$('.live') || $('main img').getBoundingClientRect().height < 100"):
+            yield f"{lacks}: there are controls, or no picture"
+        heights[lacks] = other.run("document.documentElement.scrollHeight")
+        yield from log
     if len(set(heights.values())) != 1:
         yield f"the page has another height: {heights}"
 
@@ -498,7 +474,7 @@ def check_loupe(place, browser):
                 browser.wait(f"!{LOUPE}.hidden && {near}", 20)
                 # A number is shown rounded; its element has all digits.
                 rows = browser.run(
-                    """[...document.querySelectorAll(".live-loupe tr")].map((row) => {
+                    """$$(".live-loupe tr").map((row) => {
                   const exact = row.cloneNode(true);
                   for (const data of exact.querySelectorAll("data")) data.textContent = data.value;
                   return [row.cells[0].textContent, exact.cells[1].textContent];
@@ -516,18 +492,13 @@ def check_loupe(place, browser):
                 # the smaller root is the module's distance; in the sky there is none
                 if chapter == "01":
                     found = dict(rows)
-                    roots, (_, _, distance) = re.findall(r"[\d.]+",
-                                                         found.get("t",
-                                                                   "").split(" = ")[-1]), found[
-                                                                       "hit"].partition("distance ")
-                    if bool(roots) != bool(distance) or (roots
-                                                         and abs(float(roots[0]) / float(distance)
-                                                                 - 1) > 1e-9) or (
-                                                                     " = -" in found[
-                                                                         "discriminant"]) == bool(
-                                                                             distance):
-                        yield (f"01: the roots {found.get('t')} of {found['discriminant']} at "
-                               f"{distance}")
+                    line, is_negative = found.get("t", ""), " = -" in found["discriminant"]
+                    distance = found["hit"].partition("distance ")[2]
+                    roots = re.findall(r"[\d.]+", line.split(" = ")[-1])
+                    is_met = bool(distance)
+                    if (bool(roots), is_negative) != (is_met, not is_met) or (
+                            roots and abs(float(roots[0]) / float(distance) - 1) > 1e-9):
+                        yield f"01: the roots {line} of {found['discriminant']} at {distance}"
                 for name, exact in rows:
                     parts = re.sub(", at most 255|: .*", "", exact).split(" = ")
                     if name in ("u", "v") and len(parts) != 3:
@@ -602,11 +573,11 @@ def check_beside(place, browser):
             if chapter > "06":  # their loupes have drawings of their own
                 continue
             shown = box_of(browser,
-                           "[...document.querySelectorAll('.live-map')].find((one) => !one.hidden)")
+                           "$$('.live-map').find((one) => !one.hidden)")
             if shown[1] < 0 or shown[3] > height or shown[3] - shown[1] < 100 or shown[2] > width:
                 yield f"{chapter} at {width}: the map or drawing is at {shown}"
     before = browser.run(LOUPE + ".textContent")
-    browser.run("document.getElementById('live--degrees').focus()")
+    browser.run("$('#live--degrees').focus()")
     change(browser, degrees="100")
     browser.wait(f"!{LOUPE}.hidden && {LOUPE}.textContent !== {before!r}", 20)
     browser.size(1280, 800)
@@ -622,8 +593,8 @@ def check_beside(place, browser):
 def check_motion(place, browser):
     """The globe turns by itself only when asked, not for who asked for less motion, and not where
     nobody sees it."""
-    degrees = "Number(document.getElementById('live--degrees').value)"
-    button = "document.querySelector('.live-turn')"
+    degrees = "Number($('#live--degrees').value)"
+    button = "$('.live-turn')"
     browser.media(prefers_reduced_motion="reduce")
     place.show(browser, "05.html")
     if browser.run(f"getComputedStyle({button}).display") != "none":
@@ -642,12 +613,12 @@ def check_motion(place, browser):
 def check_narrow(place, browser):
     """At 360 pixels nothing sticks out or is cut, whatever is open, all has a name, and once a
     finger has opened the loupe it moves no control."""
-    controls = "document.querySelector('.live form').getBoundingClientRect().top + scrollY"
+    controls = "$('.live form').getBoundingClientRect().top + scrollY"
     browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
     browser.size(360, 900)
     for chapter in SETTINGS:
         place.show(browser, f"{chapter}.html")
-        browser.run("for (const one of document.querySelectorAll('.live details')) one.open = true")
+        browser.run("for (const one of $$('.live details')) one.open = true")
         change(browser, show="--errors" if "01" < chapter < "07" else "normal")
         browser.run(CANVAS + ".scrollIntoView()")
         left, top, width, height = browser.run(BOX)
@@ -665,18 +636,18 @@ def check_narrow(place, browser):
         if max(abs(one - heights[1]) for one in [*heights[2:], browser.run(controls)]) > 1:
             yield f"{chapter}: the controls move: {heights}"
         out = browser.run(
-            """[...document.querySelectorAll(".live *")]
+            """$$(".live *")
           .filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
           .map((one) => one.outerHTML.slice(0, 80))""")
         if out or browser.run("document.documentElement.scrollWidth") > 360:
             yield f"{chapter}: too wide: {out[:2]}"
         unnamed = browser.run(
-            """[...document.querySelectorAll(".live input, .live select, .live button")]
+            """$$(".live input, .live select, .live button")
           .filter((one) => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map(
             (one) => one.outerHTML.slice(0, 80))""")
         if unnamed:
             yield f"{chapter}: no name: {unnamed}"
-        small = browser.run("""[...document.querySelectorAll(".live-rows input")].filter((one) => {
+        small = browser.run("""$$(".live-rows input").filter((one) => {
             if (one.type === "number") one.value = 10000000;
             return one.type === "range" ? one.offsetHeight < 32 : one.scrollWidth > one.clientWidth;
               }).map((one) => one.ariaLabel || one.id)""")
@@ -694,7 +665,7 @@ def check_playground(place, browser):
     place.show(browser, "playground.html")
 
     def go_to(chapter):
-        browser.run(f"document.querySelector('[name=live-chapter][value=\"{chapter}\"]').click()")
+        browser.run(f"$('[name=live-chapter][value=\"{chapter}\"]').click()")
         settle(browser, f"{COMMAND}.startsWith('./course run {chapter}')")
 
     for chapter in list(SETTINGS)[1:6]:
@@ -720,19 +691,12 @@ def check_playground(place, browser):
 CHECKS = {name[6:]: check for name, check in list(globals().items()) if name.startswith("check_")}
 
 
-def main(words):
-    if len(words) < 3:
-        raise SystemExit(__doc__.strip())
-    root, programs, made = (Path(word).resolve() for word in words[:3])
-    if not installed() or not (made / "playground.html").exists():
-        print("skipped: no browser (chromium or google-chrome) is installed, or ./course "
-              "playground has made nothing")
-        return 77
-    place = Place(root, programs, made)
-    failed = run_checks([CHECKS[name] for name in words[3:] or CHECKS], place)
+def main():
+    place = Place(*typed_paths(__doc__, 3, lambda *paths: paths[2] / "playground.html"))
+    failed = run_checks([CHECKS[name] for name in sys.argv[4:] or CHECKS], place)
     shutil.rmtree(place.folder)
     return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

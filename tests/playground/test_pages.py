@@ -8,14 +8,13 @@ import re
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 sys.dont_write_bytecode = True
 from test_live import Place, pixels  # noqa: E402
-from browser import installed, run_checks  # noqa: E402
+from browser import run_checks, typed_paths  # noqa: E402
 
-SECTION = "document.querySelector('.budget')"
-CARD = "document.querySelector('.budget-card')"
+SECTION = "$('.budget')"
+CARD = "$('.budget-card')"
 # The bounds of the chapter's polynomials in texels of 2048 by 1024, and for what the language
 # leaves open one pixel of its picture.
 MOST = {"degree 5": 0.2, "degree 9": 0.0051, "degree 17": 0.0003}
@@ -52,7 +51,7 @@ def check_13(place, browser):
                 yield f"{way['number']} {degree}: {key} {way[key]}, the program's {row[key]}"
     for power in (-10.5, -6, -2, -0.5):
         browser.run(
-            f"""(async () => {{ const slider = document.querySelector("#budget");
+            f"""(async () => {{ const slider = $("#budget");
           slider.value = {power};
           delete {SECTION}.dataset.way; slider.dispatchEvent(new Event("input")); }})()""")
         browser.wait(f"{SECTION}.dataset.way !== undefined", 20)
@@ -79,15 +78,14 @@ def check_14(place, browser):
     """The pictures are the program's; published formulas break where the course's hold."""
     def turn(field, value, event):
         browser.run(
-            f"""(() => {{ const field = document.querySelector("{field}"); field.value = {value};
+            f"""(() => {{ const field = $("{field}"); field.value = {value};
           {SECTION}.dataset.state = ""; field.dispatchEvent(new Event("{event}")); }})()""")
         browser.wait(f"{SECTION}.dataset.state === 'done'", 60)
 
     browser.size(1280, 800)
     place.open(browser, "14.html")
     browser.wait(f"{SECTION}?.dataset.state === 'done'", 60)
-    names = browser.run("[...document.querySelectorAll('#exhibit option')].map((one) => "
-                        "one.textContent.split(':')[0])")
+    names = browser.run("$$('#exhibit option').map((one) => one.textContent.split(':')[0])")
     for i, name in enumerate(names):
         turn("#exhibit", i, "change")
         unlike = int(browser.run(f"{SECTION}.dataset.published"))
@@ -101,8 +99,7 @@ def check_14(place, browser):
             drawn = pixels(browser, f"{SECTION}.querySelectorAll('canvas')[{side}]")
             yield from place.unlike(drawn, ["./course", "run", "14", "--exhibit", name,
                                             "--formulas", formulas, "--number", "float"], 320, 240)
-        least, most = browser.run("['min', 'max'].map((end) => "
-                                  "Number(document.querySelector('#extreme')[end]))")
+        least, most = browser.run("['min', 'max'].map((end) => Number($('#extreme')[end]))")
         for k in range(5):
             turn("#extreme", least + (most - least) * k / 4, "input")
             unlike = int(browser.run(f"{SECTION}.dataset.course"))
@@ -114,13 +111,9 @@ def check_14(place, browser):
         yield "too wide for 360 pixels"
 
 
-def main(words):
-    root, programs, made = (Path(word).resolve() for word in words)
-    if not installed() or not (made / "module_13.js").exists():
-        print("skipped: no browser (chromium or google-chrome) is installed, or ./course "
-              "playground has made nothing")
-        return 77
-    place = Place(root, programs, made)
+def main():
+    root, *_ = paths = typed_paths(__doc__, 3, lambda *paths: paths[2] / "module_13.js")
+    place = Place(*paths)
     stated = "".join(f"<tr><td>{row.strip('| ').replace(' | ', '</td><td>')}</td></tr>" for row in
                      (root / "chapters/13_speed_for_accuracy/README.md").read_text().splitlines()
                      if re.match(r"\| (pack of )?(double|float)s?, ", row))
@@ -134,4 +127,4 @@ def main(words):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())
