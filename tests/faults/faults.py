@@ -215,9 +215,7 @@ class Tries:
 
     def reads(self, kind, file, out='never.png', **options):
         chapter, option = KINDS[kind][:2]
-        needs = ['--texture',
-                 self.texture] if kind == 'meshes' else ['--samples',
-                                                         '1'] if kind == 'skies' else []
+        needs = {'meshes': ['--texture', self.texture], 'skies': ['--samples', '1']}.get(kind, [])
         self.run([self.program(chapter), *needs, option, file, *SMALL, '--out', out],
                  memory=self.memory, **options)
 
@@ -491,9 +489,8 @@ class Tries:
             while start - low > 4:
                 middle = (low + start) // 2
                 self.run([self.program(chapter), '--help'], memory=middle << 10)
-                low, start = (middle,
-                              start) if self.status in (127, -signal.SIGSEGV,
-                                                        -signal.SIGABRT) else (low, middle)
+                is_loaded = self.status not in (127, -signal.SIGSEGV, -signal.SIGABRT)
+                low, start = (low, middle) if is_loaded else (middle, start)
             self.run([*command, '--out', fed])
             for threads, more in [('1', [*range(12, 480, 24), *range(500, 1700, 100), 2000, 2600,
                                          4000, 8000]),

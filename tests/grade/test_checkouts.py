@@ -140,8 +140,8 @@ class Case(unittest.TestCase):
             lines = [line for line in file if not line.startswith('"NOT')]
         rows = {}
         for row in csv.DictReader(lines):
-            rows[(row['student'], row['chapter']) if row['student'] in rows
-                 else row['student']] = row
+            student = row['student']
+            rows[(student, row['chapter']) if student in rows else student] = row
         return rows
 
     def expect(self, rows, expected):
@@ -434,8 +434,8 @@ class Boxed(Case):
     def run_in(self, kind, argv, *visible, product=''):
         """How a command ends in a box that nobody watches."""
         with mock.patch('box.usage', return_value=(0.0, 0, 1)):
-            return Boxes(kind, WORK, threading.Event()).run(argv, visible, Limits(10, 1024),
-                                                            product)
+            boxes = Boxes(kind, WORK, threading.Event())
+            return boxes.run(argv, visible, Limits(10, 1024), product)
 
     def test_gets_no_more_processes_than_it_may(self):
         # A letter for each child that waits.

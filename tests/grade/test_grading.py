@@ -181,9 +181,8 @@ class Pictures(Course):
                              'nearer': [(x, 599) for x in range(700, 799)],
                              'far': corners * 65 + [(x, 0) for x in range(99)],
                              'farther': corners + [(x, 0) for x in range(99)]}.items():
-            self.put(
-                {f'class/{name}/04.png': png(
-                    changed(LARGE, set(pixels) | ({(400, 300)} if name == 'far' else set()), 128))})
+            pixels = set(pixels) | ({(400, 300)} if name == 'far' else set())
+            self.put({f'class/{name}/04.png': png(changed(LARGE, pixels, 128))})
         self.put({'class/right/03.png': RIGHT, 'class/right/04.png': png(LARGE)})
         self.grade('--chapters', '04', 'class')
         pages = {name: self.text(f'{name}.html') for name in ('near', 'nearer', 'far', 'farther')}
@@ -302,10 +301,8 @@ class Folders(Course):
                 ('nobody', ['800_600_03.png', '03_image_800_600_a.png'],
                  [('nobody', '', '03_image_800_600_a.png')])]:
             for file in files:  # Apple's systems write names apart
-                self.put(
-                    {unicodedata.normalize('NFD',
-                                           f'{folder}/{file}'): 'Name: Jane Doe (jdoe)\n'
-                                                                'Assignment: A_3\n'})
+                self.put({unicodedata.normalize('NFD', f'{folder}/{file}'):
+                          'Name: Jane Doe (jdoe)\nAssignment: A_3\n'})
             ways = [[f'{self.at}/{folder.partition("/")[0]}'],
                     sorted(map(str, (self.at / folder).iterdir()))]
             for paths in ways[:1] if folder == 'nobody' else ways:
@@ -420,8 +417,8 @@ for name; do :; done
         for path, missing in {f'{self.at}/bin:/bin': ['bad', 'bomb'],
                               f'{self.at}/none': ['ada', 'bad', 'bad', 'bob', 'bomb']}.items():
             unpacked.cache_clear()
-            with mock.patch.dict(os.environ, PATH=path), mock.patch('submissions.MOST_BYTES',
-                                                                    1 << 22):
+            most = mock.patch('submissions.MOST_BYTES', 1 << 22)
+            with mock.patch.dict(os.environ, PATH=path), most:
                 found, _ = find_submissions([f'{self.at}/class'], [GLOBE, SHEET])
             without = [one for one in found if not one.pictures]
             self.assertEqual([one.name for one in without], missing)
@@ -440,8 +437,8 @@ for name; do :; done
                 packing = zip_of({'work.zip': packing})
             self.put({'nested/ada.zip': packing})
             unpacked.cache_clear()
-            self.assertEqual([one.seen for one in find_submissions([f'{self.at}/nested'],
-                                                                   [GLOBE])[0]], [seen])
+            found, _ = find_submissions([f'{self.at}/nested'], [GLOBE])
+            self.assertEqual([one.seen for one in found], [seen])
         self.put({'class.zip': zip_of({
             'müllerjörg_1_11_03.png': RIGHT, 'doejane_2_12_work.zip': inner,
             'liwei_3_13_03.png': 'x', 'smithann_4_14_broken.zip': 'PK',
@@ -586,9 +583,8 @@ for name; do :; done
                 'texmap-main/chapters/03_image_texture/lesson.hpp': 'texmap-main',
                 '04_uv_conventions/exercises/1_b.hpp': '.', '09_another/lesson.hpp': None}.items()):
             self.put({f'{i}/{file}': 'x', f'{i}/ada/03.png': 'x', f'{i}/bob/03.png': 'x'})
-            found, remarks = find_submissions([f'{self.at}/{i}'],
-                                              [GLOBE, Item('04.1', '04.1',
-                                                           exercise='/04_uv_conventions/')])
+            exercise = Item('04.1', '04.1', exercise='/04_uv_conventions/')
+            found, remarks = find_submissions([f'{self.at}/{i}'], [GLOBE, exercise])
             here = checkout in ('.', 'Chapters')  # else the others may be students, too
             self.assertEqual((len(found), len(remarks)), (1, 1) if here else (3, 0), file)
             checkouts = [os.path.relpath(one.checkout, self.at / str(i)) for one in found

@@ -52,10 +52,9 @@ def tokens_of(text):
     """All tokens but comments and preprocessor lines, between two empty ones; each knows if it is
     inside of a function."""
     blank = PREPROCESSOR.sub(lambda found: re.sub(r'[^\n]', ' ', found[0]), text)
-    tokens = [Token('', '', 0),
-              *(Token(found.lastgroup.replace('mark', 'string'), found[0], found.start())
-                                  for found in TOKEN.finditer(blank)
-                if found.lastgroup != 'comment'), Token('', '', len(text))]
+    words = [Token(found.lastgroup.replace('mark', 'string'), found[0], found.start())
+             for found in TOKEN.finditer(blank) if found.lastgroup != 'comment']
+    tokens = [Token('', '', 0), *words, Token('', '', len(text))]
     braces = []  # for each open brace: is it the body of a type or of a namespace?
     for i, token in enumerate(tokens):
         if token.text == '}' and braces:
@@ -138,10 +137,8 @@ def change_of(text, tokens, i):
     elif token.kind == 'name' and before.text not in ('.', '->') and token.text in NAMES:
         kind, new = 'name', NAMES[token.text]
     elif token.kind == 'name':
-        return negation(text, tokens,
-                        i + 1) if token.text in ('if',
-                                                 'while') and after.text == '(' else removal(
-                                                     tokens, i)
+        has_condition = token.text in ('if', 'while') and after.text == '('
+        return negation(text, tokens, i + 1) if has_condition else removal(tokens, i)
     elif token.text in BINARY and spaced_behind and text[token.start - 1:token.start].isspace():
         kind, new = 'operator', BINARY[token.text]
     elif token.text in ('++', '--'):
@@ -160,16 +157,15 @@ def negation(text, tokens, i):
     if first >= end or any(token.text == '{' for token in tokens[first:end]):
         return None
     start, stop = tokens[first].start, tokens[end].start
-    if first == i + 1 and end - first > 1 and tokens[first].kind == 'name' and tokens[
-        first + 1].kind == 'name':
+    if first == i + 1 < end - 1 and tokens[first].kind == tokens[first + 1].kind == 'name':
         return None  # it declares something
     return 'condition', start, stop, '!(' + text[start:stop] + ')'
 
 
 def removal(tokens, i):
     """Without the call or assignment that begins at `i`."""
-    if not tokens[i].in_function or tokens[i].text in NOT_A_CALL or tokens[i - 1].text not in (
-        ';', '{', '}', ')', 'else'):
+    begins = tokens[i - 1].text in (';', '{', '}', ')', 'else')
+    if not (tokens[i].in_function and begins) or tokens[i].text in NOT_A_CALL:
         return None
     k = i + 1
     while tokens[k].text in ('.', '->', '::', '['):
@@ -281,8 +277,7 @@ def ctest(*options):
                      BUILD / 'bin']:
             os.chown(path, NOBODY, NOBODY)
     return run(['ctest', '--test-dir', BUILD, '-LE', SKIPPED_LABELS, *options], **user,
-               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS,
-                                                     (MOST_MEMORY, MOST_MEMORY)))
+               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, 2 * (MOST_MEMORY,)))
 
 
 class Build:

@@ -31,8 +31,8 @@ def tried(fault, tree, arguments, words):
     tested = planted.run([str(program)], timeout=120)
     failures = [line.partition('ERROR: ')[2] for line in tested.stdout.splitlines()
                 if 'ERROR: ' in line]
-    if {other for other in words if failures
-        and other in failures[0]} != {word} or len(failures) > MOST_FAILURES:
+    named = {other for other in words if other in ''.join(failures[:1])}
+    if named != {word} or len(failures) > MOST_FAILURES:
         return f'{suite} shows {len(failures)} failures, the first says {failures[:1]}'
     return None
 

@@ -204,8 +204,8 @@ def check_squares(place, browser):
 
 class Place:
     def __init__(self, book, root, printer, out):
-        self.root, self.printer, self.out, self.page = (root, printer, out,
-                                                        f"file://{out}/index.html")
+        self.root, self.printer, self.out = root, printer, out
+        self.page = f"file://{out}/index.html"
         subprocess.run([book, root, out], stdout=subprocess.DEVNULL, check=True)
 
 

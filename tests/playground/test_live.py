@@ -112,13 +112,13 @@ class Place:
                         native], check=True, cwd=self.folder)
         said = subprocess.run([self.programs / "compare", mine, native], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True)
-        return [] if said.returncode == 0 else [f"{words} at {drawn[0]} x {drawn[1]}: "
-                                                f"{said.stdout.strip()}"]
+        words = f"{words} at {drawn[0]} x {drawn[1]}: {said.stdout.strip()}"
+        return [] if said.returncode == 0 else [words]
 
     def variant(self, name, chapter, old, new):
         """The page of a chapter with another text."""
-        (self.folder
-         / name).write_text((self.folder / f"{chapter}.html").read_text().replace(old, new))
+        text = (self.folder / f"{chapter}.html").read_text().replace(old, new)
+        (self.folder / name).write_text(text)
         return name
 
     def open(self, browser, page):

@@ -436,23 +436,19 @@ class Book {
           "hidden></ul></div>\n";
     }
     html += "</header>\n<main id=\"main\"";
-    if (!live.empty() && !fs::exists(playground() / own_script(live))) {
+    if (!live.empty() && !has_own_script(live)) {
       html.append(" data-live=\"").append(live).append("\"");
       html.append(rows_elsewhere(current)).append(slips_of(live));
     }
     html.append(">\n").append(sized_body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
-    if (live_ && body.find("class=\"hero ") != std::string::npos) {
-      html +=
-          "<script src=\"live/live.js\" defer></script>\n"
-          "<script src=\"cover.js\" defer></script>\n"
-          "<script src=\"live/cover.js\" defer></script>\n";
-    }
-    if (!live.empty()) {
-      html += "<script src=\"live/live.js\" defer></script>\n";
-      if (fs::exists(playground() / own_script(live)))
-        html.append("<script src=\"live/" + own_script(live) + "\" defer></script>\n");
-    }
+    std::vector<std::string> scripts;
+    if (live_ && body.find("class=\"hero ") != std::string::npos)
+      scripts = {"live/live.js", "cover.js", "live/cover.js"};
+    if (!live.empty()) scripts = {"live/live.js"};
+    if (!live.empty() && has_own_script(live)) scripts.push_back("live/" + own_script(live));
+    for (const std::string& script : scripts)
+      html.append("<script src=\"").append(script).append("\" defer></script>\n");
     return html;
   }
 
@@ -509,13 +505,16 @@ class Book {
   [[nodiscard]] static std::string own_script(const std::string& number) {
     return text("page_%s.js", number.c_str());
   }
+  [[nodiscard]] bool has_own_script(const std::string& number) const {
+    return fs::exists(playground() / own_script(number));
+  }
 
   /// The number of a page's chapter if its picture is live, else nothing.
   [[nodiscard]] std::string live_chapter(std::size_t page) const {
     if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
     std::string number = pages_[page].chapter.substr(0, 2);
-    const bool has_own = fs::exists(root_ / "docs/live" / (number + ".js")) ||
-                         fs::exists(playground() / own_script(number));
+    const bool has_own =
+        fs::exists(root_ / "docs/live" / (number + ".js")) || has_own_script(number);
     return has_own || (number <= "06" && number > "00" && live_) ? number : "";
   }
 
@@ -523,14 +522,12 @@ class Book {
   void write_live() const {
     fs::remove_all(out_ / "live");
     if (!live_) return;
-    for (const auto& entry : fs::directory_iterator(root_ / "docs/live")) {
-      const fs::path& file = entry.path();
-      if (file.extension() == ".js") write(out_ / "live" / file.filename(), contents_of(file));
-    }
-    for (const auto& entry : fs::directory_iterator(playground())) {
-      const fs::path& file = entry.path();
-      if (file.extension() == ".js" || file.extension() == ".css")
-        write(out_ / "live" / file.filename(), contents_of(file));
+    for (const fs::path& from : {root_ / "docs/live", playground()}) {
+      for (const auto& entry : fs::directory_iterator(from)) {
+        const fs::path& file = entry.path();
+        if (file.extension() == ".js" || file.extension() == ".css")
+          write(out_ / "live" / file.filename(), contents_of(file));
+      }
     }
   }
 

@@ -56,9 +56,9 @@ def digest(*pieces):
                                      for piece in pieces)).hexdigest()
 
 
-def sources_in(folder):
-    """The C++ files of a chapter: regular files of moderate size, no links. By name, with their
-    bytes."""
+def sources_in(folder, most=MOST_FILES):
+    """The C++ files of a chapter, or of a folder: so many regular files of moderate size, no links.
+    By name, with their bytes."""
     found = {}
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders
@@ -67,7 +67,7 @@ def sources_in(folder):
             path = os.path.join(parent, name)
             status = os.lstat(path)
             if name.endswith(SUFFIXES) and stat.S_ISREG(
-                status.st_mode) and status.st_size < MOST_FILE_BYTES and len(found) < MOST_FILES:
+                status.st_mode) and status.st_size < MOST_FILE_BYTES and len(found) < most:
                 found[os.path.relpath(path, folder)] = Path(path).read_bytes()
     return found
 
@@ -319,16 +319,11 @@ def cause(checkout, files, course_common):
         if b'\0' in text:
             return f'{name} is not in UTF-8 but probably in UTF-16: save it as UTF-8'
     own = Path(checkout) / 'common'
-    for parent, _, names in () if os.path.islink(own) else os.walk(own):
-        for name in sorted(names):
-            path = Path(parent) / name
-            if not name.endswith(SUFFIXES) or not stat.S_ISREG(
-                path.lstat().st_mode) or path.lstat().st_size >= MOST_FILE_BYTES:
-                continue
-            known = course_common / path.relative_to(own)
-            if not known.is_file() or known.read_bytes() != path.read_bytes():
-                return (f'your common/ is not used in grading; {path.relative_to(own.parent)} '
-                        'differs from the course\'s')
+    for name, text in () if own.is_symlink() else sources_in(own, 10 * MOST_FILES).items():
+        known = course_common / name
+        if not known.is_file() or known.read_bytes() != text:
+            return (f'your common/ is not used in grading; common/{name} differs from the '
+                    'course\'s')
     return ''
 
 

@@ -84,9 +84,8 @@ def with_word(word, note):
 def padded(text, columns):
     """The text with at least one blank up to so many columns of a terminal; East Asian characters
     take two."""
-    return text + ' ' * max(1,
-                            columns - sum(2 if unicodedata.east_asian_width(letter) in 'WF' else 1
-                                          for letter in text))
+    wide = sum(unicodedata.east_asian_width(letter) in 'WF' for letter in text)
+    return text + ' ' * max(1, columns - len(text) - wide)
 
 
 def number(value):
@@ -105,9 +104,8 @@ def page_names(names):
     for name in names:
         plain = re.sub(rb'[^A-Za-z0-9_-]', b'_', os.fsencode(name)[:80]).decode()
         plain = plain if re.search('[A-Za-z0-9]', plain) else 'student'
-        page = next(page for page in itertools.chain([plain],
-                                                     (f'{plain}-{n}' for n in itertools.count(2)))
-                    if page.lower() not in pages)
+        others = (f'{plain}-{n}' for n in itertools.count(2))
+        page = next(page for page in itertools.chain([plain], others) if page.lower() not in pages)
         pages[page.lower()] = page
     return list(pages.values())[1:]
 
@@ -229,8 +227,8 @@ class Student:
     @property
     def has_page(self):
         """A page shows something that the table does not."""
-        return bool(self.note and self.folder) or any(not row.right or row.note for row in self.rows
-                                                      if self.folder)
+        return bool(self.folder) and (bool(self.note) or any(not row.right or row.note
+                                                             for row in self.rows))
 
     @property
     def unfinished(self):
