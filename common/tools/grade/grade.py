@@ -219,9 +219,9 @@ class Grading:
         with open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='') as self.table:
             self.table.write(results.table([], results.COLUMNS, []))
             try:
-                for begin in range(0, len(self.students), TOGETHER):
-                    self.compare_pictures_of(range(begin,
-                                                   min(begin + TOGETHER, len(self.students))))
+                everybody = range(len(self.students))
+                for begin in everybody[::TOGETHER]:
+                    self.compare_pictures_of(everybody[begin:begin + TOGETHER])
                 self.run_checkouts()
             except KeyboardInterrupt:
                 pass
@@ -316,8 +316,7 @@ class Grading:
         if row.build != 'ok':
             row.word = row.build
         elif item.exercise:
-            # The note begins with the word: "u runs the other way: your map is mirrored; tried:
-            # ..."
+            # The note begins with the word: "u runs the other way: your map is mirrored; tried ..."
             if not row.tests_ok:
                 row.word = results.first_word(row.note) if row.run == 'ok' else row.run
         else:
