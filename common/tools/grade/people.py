@@ -42,7 +42,7 @@ ENCODINGS = 'utf-8-sig', 'gb2312', 'cp1252', 'gb18030', 'latin-1'
 NOBODY = ('points possible', 'student, test', 'test student')  # lines of Canvas's gradebook
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(eq=False)
 class Line:
     """A line of a table."""
     number: int
@@ -151,29 +151,29 @@ def join_class_list(path, submissions, chapters, columns=''):
     group's work is that of each in it. Who has several submissions gets one. Adds who handed in
     nothing. Says who these are, and who is not in the list."""
     people = lines_of(path, ['id', 'name', 'last first'], columns)
-    names = {id(one): keys(one.person) for one in people}
+    names = {one: keys(one.person) for one in people}
 
-    def named_as(one, others):
-        found = ([other for other in others if keys(way) & names[id(other)]]
+    def named_as(one):
+        found = ([person for person in people if keys(way) & names[person]]
                  for way in name_ways(one.person))
         return next(filter(None, found), [])
 
     by_name, joined, by_id = {}, {}, {}
     for one in list(submissions):
-        names[id(one)] = keys(one.person)
-        by_name[id(one)] = named_as(one, people)
-        members = [person for person in people if not by_name[id(one)] and any(
-            names[id(one)] & keys(group) for group in person.cells.get('group', []))]
+        names[one] = keys(one.person)
+        by_name[one] = named_as(one)
+        members = [person for person in people if not by_name[one] and any(
+            names[one] & keys(group) for group in person.cells.get('group', []))]
         if members:
             here = submissions.index(one)
             submissions[here:here + 1] = copies = [dataclasses.replace(
                 one, name=person.person, id=person.cell('id')) for person in members]
             for copy, person in zip(copies, members):
-                joined[id(copy)], by_name[id(copy)] = [person], [person]
-                names[id(copy)] = names[id(person)]
+                joined[copy], by_name[copy] = [person], [person]
+                names[copy] = names[person]
     for one in submissions:
         ids = {nfc(word).casefold() for word in (one.id or one.name, *one.other_ids)}
-        by_id[id(one)] = [person for person in people if ids & person.ids]
+        by_id[one] = [person for person in people if ids & person.ids]
     # Where names and ids contradict each other more often than not, the list's ids are others than
     # the files'.
     agree = [any(person in by_name[one] for person in found) for one, found in by_id.items()
@@ -182,18 +182,18 @@ def join_class_list(path, submissions, chapters, columns=''):
     taken = [person for found in joined.values() for person in found]
     for step in ('id', 'name'):
         for one in submissions:
-            free = [person for person in by_name[id(one)] if person not in taken]
-            if joined.get(id(one)):
+            free = [person for person in by_name[one] if person not in taken]
+            if joined.get(one):
                 continue
             if step == 'id' and has_ids:
-                joined[id(one)] = by_id[id(one)][:1]
+                joined[one] = by_id[one][:1]
             elif step == 'name' and not (one.id and has_ids and sum(agree)):
-                alone = len(free) == 1 and [other for other in submissions if free[0] in by_name[
-                    id(other)] and not joined.get(id(other))] == [one]
-                joined[id(one)] = free if alone else []
+                rivals = [other for other in submissions
+                          if {*free} & {*by_name[other]} and not joined.get(other)]
+                joined[one] = free if len(free) == 1 and rivals == [one] else []
         taken = [person for found in joined.values() for person in found]
     for person in people:
-        first, *more = [one for one in submissions if person in joined.get(id(one), [])] or [None]
+        first, *more = [one for one in submissions if person in joined.get(one, [])] or [None]
         for one in more:
             first.parts = first.parts + one.parts
             submissions.remove(one)
@@ -202,9 +202,9 @@ def join_class_list(path, submissions, chapters, columns=''):
         if first:
             first.person, first.id = person.person or first.person, first.id or person.cell('id')
             first.name = first.name if first.kind == 'folders' else first.person
-    unknown = [one for one in submissions if not joined.get(id(one))]
+    unknown = [one for one in submissions if not joined.get(one)]
     missing = [person for person in people if person not in taken
-               and not any(person in by_name[id(one)] for one in unknown)]
+               and not any(person in by_name[one] for one in unknown)]
     submissions += [Submission('', person.person or person.cell('id'), 'the class list alone',
                                person.cell('id'), person.person,
                                'handed in nothing') for person in missing]

@@ -85,7 +85,7 @@ class Entry:
     when: tuple = ()  # the number of a version, or its time; the largest counts
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(eq=False)
 class Submission:
     """What one student handed in."""
     folder: str  # as the instructor named it
@@ -190,8 +190,8 @@ def copied(source, made, left):
 def unpacked(path):
     """The folder with what is of use in an archive; of other files it has the names. None if it
     cannot be read. Nothing is written but plain files in that folder."""
-    outer = Path(path).relative_to(scratch().name).parts[0] if path.startswith(
-        scratch().name) else ''
+    is_inside = path.startswith(scratch().name)
+    outer = Path(path).relative_to(scratch().name).parts[0] if is_inside else ''
     room, depth = ROOM.get(outer, ([], 0))
     if depth >= MOST_ARCHIVES:
         return None
@@ -351,8 +351,8 @@ class Search:
                     # Who builds it knows chapters/ in small letters, or takes the folder itself.
                     self.checkouts.append((entry.when or when, folder if entry.path == os.path.join(
                         folder, 'chapters') else entry.path))
-                elif entry.path == os.path.join(folder,
-                                                entry.name) and self.chapters.is_chapter(entry):
+                elif (entry.path == os.path.join(folder, entry.name)
+                      and self.chapters.is_chapter(entry)):
                     holds_chapters = True
                 elif not is_passed_over(entry.name):
                     below.append(entry)
@@ -373,9 +373,9 @@ class Search:
         stem, ending = os.path.splitext(entry.name)
         is_jpeg = ending.lower() in ('.jpg', '.jpeg')
         if ending.lower() in ('.bmp', '.ppm', '.gz') or ARCHIVE.search(entry.name):
-            self.seen.append(entry.name
-                             + (', which is not read' if ARCHIVE.search(entry.name) else '')
-                             + (f': {WHY_NOT[entry.path]}' if entry.path in WHY_NOT else ''))
+            why = f': {WHY_NOT[entry.path]}' if entry.path in WHY_NOT else ''
+            is_archive = ARCHIVE.search(entry.name)
+            self.seen.append(entry.name + (', which is not read' if is_archive else '') + why)
         elif ending.lower() != '.png' and not is_jpeg:
             self.others.append(entry.name)
         else:
@@ -648,8 +648,8 @@ def students_in(chapters, folder, entry, single, one, each):
     for part in level.with_work if named else below:
         shown = os.path.join(level.shown, part.name)
         inner = named_by(chapters, SYSTEMS, entries_of(part.path))
-        found += submissions_of_systems(chapters, shown,
-                                        inner) if inner else [submission_of(chapters, part, shown)]
+        found += (submissions_of_systems(chapters, shown, inner)
+                  or [submission_of(chapters, part, shown)])
     nobodys = min(own.candidates.items(), default=None)
     return (found,
             f"{clean(shown_name(nobodys[1][0][6]))} is nobody's: it lies next to students' folders"
