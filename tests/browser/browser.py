@@ -189,11 +189,11 @@ class Browser:
         self.call("DOM.setFileInputFiles", nodeId=node, files=[path])
 
 
-def without_live(page, without_module):
-    """Opens a page where JavaScript, WebAssembly or DecompressionStream is missing, or its module's
-    file is gone: yields what is missing, the browser, and what its console should not have."""
-    for lacks in ("", "delete window.WebAssembly", "WebAssembly.validate = () => false",
-                  "delete window.DecompressionStream", "no module"):
+def without_live(page, without_module, *more):
+    """Opens a page where JavaScript, WebAssembly, DecompressionStream or more is missing, or its
+    module's file: yields what is missing, the browser, and what its console should not have."""
+    for lacks in ("", "delete window.WebAssembly", "delete window.DecompressionStream", *more,
+                  "no module"):
         with Browser() as browser:
             no_module = lacks == "no module"
             browser.call("Emulation.setScriptExecutionDisabled", value=lacks == "")

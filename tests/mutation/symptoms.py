@@ -25,10 +25,10 @@ def tried(fault, tree, arguments, words):
         '-DTEXMAP_NO_FLATTEN',
         *[f'-I{folder}' for folder in arguments.include], f'-I{tree}/tests', f'-I{tree}/chapters',
         f'-I{tree}/common',
-        f'{tree}/tests/chapters/{suite}.cpp', *arguments.link, '-o', str(program)])
+        f'{tree}/tests/chapters/{suite}.cpp', *arguments.link, '-o', program])
     if compiled.returncode != 0:
-        return 'does not compile:\n' + compiled.stderr[-3000:]
-    tested = planted.run([str(program)], timeout=120)
+        return 'does not compile:\n' + compiled.stdout[-3000:]
+    tested = planted.run([program], timeout=120)
     failures = [line.partition('ERROR: ')[2] for line in tested.stdout.splitlines()
                 if 'ERROR: ' in line]
     named = {other for other in words if other in ''.join(failures[:1])}
