@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "engine/files/exif.hpp"
 #include "engine/files/file_error.hpp"
 
 namespace texmap {
@@ -172,6 +173,8 @@ PngChunks read_png_chunks(Bytes file) {
       require(!image_data, "its transparency (tRNS) comes after the pixels");
       check_transparency(found.header, found.palette.size() / 3, data);
       found.transparency = data;
+    } else if (type == "eXIf") {
+      if (found.order == PixelOrder{}) found.order = order_of_exif(data);
     } else if (type == "IDAT") {
       require(!image_data_ended, "its pixels (IDAT) are not in one piece");
       require(found.header.color_type != 3 || !found.palette.empty(),

@@ -7,6 +7,7 @@
 
 #include "engine/files/bytes.hpp"
 #include "engine/files/image_limits.hpp"
+#include "engine/files/pixel_order.hpp"
 
 namespace texmap {
 
@@ -27,6 +28,7 @@ struct PngChunks {
   PngHeader header;
   Bytes palette;                  // three bytes a color; empty without a palette
   Bytes transparency;             // of tRNS: palette colors' alpha, or the transparent color
+  PixelOrder order;               // of eXIf
   std::vector<Bytes> compressed;  // the zlib stream, in the pieces of the IDAT chunks, at least one
 };
 

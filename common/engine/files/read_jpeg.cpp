@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/files/exif.hpp"
 #include "engine/files/file_error.hpp"
 #include "engine/files/image_limits.hpp"
 #include "engine/files/pixel_order.hpp"
@@ -237,39 +238,6 @@ struct Scan {
   int bit = 0;                         // the lowest that is sent, 0 to 13
 };
 
-// How an application's segment says that its picture is turned: by tag 0x0112 of EXIF, a TIFF
-// file. A segment that is none, or a damaged one, says nothing.
-PixelOrder order_of_exif(Bytes data) {
-  constexpr std::string_view name("Exif\0\0", 6);
-  if (data.size() < name.size() + 8 || !std::equal(name.begin(), name.end(), data.begin()))
-    return {};
-  const Bytes tiff = data.subspan(name.size());
-  const bool low_first = tiff[0] == 'I';
-  const auto number = [&](std::size_t place, std::size_t bytes) {
-    std::size_t value = 0;
-    for (std::size_t i = 0; i < bytes; ++i)
-      value = value << 8 | tiff[place + (low_first ? bytes - 1 - i : i)];
-    return value;
-  };
-  if ((tiff[0] != 'I' && tiff[0] != 'M') || tiff[1] != tiff[0] || number(2, 2) != 42) return {};
-  const std::size_t directory = number(4, 4);
-  if (directory > tiff.size() - 2) return {};
-  std::size_t entries = number(directory, 2);
-  for (std::size_t at = directory + 2; entries > 0 && at + 12 <= tiff.size(); at += 12, --entries) {
-    const bool is_one_short = number(at + 2, 2) == 3 && number(at + 4, 4) == 1;
-    if (number(at, 2) != 0x0112 || !is_one_short) continue;
-    const std::size_t orientation = number(at + 8, 2);
-    if (orientation > 8) return {};
-    const auto is_one_of = [orientation](std::string_view digits) {
-      return digits.find(static_cast<char>('0' + orientation)) != std::string_view::npos;
-    };
-    return {.from_right = is_one_of("2378"),
-            .from_below = is_one_of("3467"),
-            .columns_first = is_one_of("5678")};
-  }
-  return {};
-}
-
 // The file, read from the front, and what was found so far.
 class Reader {
  public:
@@ -281,7 +249,10 @@ class Reader {
     for (std::uint32_t marker = take_marker(); marker != 0xD9; marker = take_marker()) {
       const Bytes data = take_segment();
       const bool comment = (marker >= 0xE0 && marker <= 0xEF) || marker == 0xFE;
-      if (marker == 0xE1 && order == PixelOrder{}) order = order_of_exif(data);
+      if (constexpr std::string_view exif("Exif\0\0", 6);
+          marker == 0xE1 && order == PixelOrder{} && data.size() >= exif.size() &&
+          std::equal(exif.begin(), exif.end(), data.begin()))
+        order = order_of_exif(data.subspan(exif.size()));
       if (marker == 0xDB) {
         quantization_tables(data);
       } else if (marker == 0xC4) {
@@ -654,7 +625,7 @@ Image read_jpeg(Bytes file, std::string* note, int later_bytes) {
     for (int column = 0; column < width; ++column, from += bytes)
       order.at(image, column, row) = {from[0], from[1], from[2]};
   }
-  if (note != nullptr && order != PixelOrder{}) *note = "is turned as its EXIF says";
+  if (note != nullptr && order != PixelOrder{}) *note = turned_by_exif;
   return image;
 }
 

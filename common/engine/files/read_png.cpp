@@ -18,9 +18,12 @@
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "engine/files/exif.hpp"
 #include "engine/files/png_chunks.hpp"
 
 namespace texmap {
@@ -209,6 +212,16 @@ void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb16* out, s
   }
 }
 
+template <class Pixel>
+Grid<Pixel> turned(const Grid<Pixel>& stored, const PixelOrder& order) {
+  Grid<Pixel> picture = order.picture<Pixel>(stored.width, stored.height);
+  for (int row = 0; row < stored.height; ++row) {
+    for (int column = 0; column < stored.width; ++column)
+      order.at(picture, column, row) = stored.at(column, row);
+  }
+  return picture;
+}
+
 // The picture in the parts of a file. `note`: transparent pixels are put over black, and noted.
 template <class Pixel>
 Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int later_bytes) {
@@ -232,7 +245,8 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
   const std::size_t own_room = header.interlaced ? promised : 0;
   const std::size_t shared_room =
       header.interlaced ? area : std::max(area, promised / sizeof(Pixel) + 1);
-  check_memory(2 * file.size() + own_room + shared_room * sizeof(Pixel),
+  const std::size_t turned_room = png.order == PixelOrder{} ? 0 : area;
+  check_memory(2 * file.size() + own_room + (shared_room + turned_room) * sizeof(Pixel),
                area * static_cast<std::size_t>(later_bytes));
   // Two bytes of header, four of checksum, and deflate makes at most 1032 bytes out of one.
   if (compressed.size() < 6 || promised / 1032 > compressed.size())
@@ -271,8 +285,11 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
     }
   }
   image.pixels.resize(area);
-  if (shows_black) *note = "has transparent texels: they are drawn over black";
-  return image;
+  if (shows_black) {
+    if (!note->empty()) *note += " and ";
+    *note += "has transparent texels: they are drawn over black";
+  }
+  return png.order == PixelOrder{} ? std::move(image) : turned(image, png.order);
 }
 
 }  // namespace
@@ -284,6 +301,7 @@ bool looks_like_png(Bytes file) {
 
 Image read_png(Bytes file, std::string* note, DeepImage* deep, int later_bytes) {
   const PngChunks png = read_png_chunks(file);
+  if (note != nullptr) *note = png.order == PixelOrder{} ? "" : turned_by_exif;
   if (deep != nullptr && png.header.bit_depth == 16) {
     *deep = read_pixels<Rgb16>(file, png, nullptr, later_bytes);
     return {};
