@@ -359,15 +359,24 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
       while (i < words.size() && words[i].front() == '-') {
         const std::string_view option = words[i++];
         const std::vector<double> numbers = numbers_at(i);
-        const bool places = option == "-s" || option == "-o";
-        if (places) {
+        const std::string_view word = i < words.size() ? words[i] : std::string_view();
+        std::size_t taken = numbers.size();
+        if (option == "-s" || option == "-o") {
           Uv<double>& uv = option == "-s" ? material->scale : material->offset;
           if (!numbers.empty()) uv.u = numbers[0];
           if (numbers.size() > 1) uv.v = numbers[1];
+        } else if (option == "-mm" && taken > 1) {
+          taken = 2;
+          material->base = numbers[0];
+          material->gain = numbers[1];
+        } else if (option == "-clamp" && (word == "on" || word == "off")) {
+          taken = 1;
+          material->clamped = word == "on";
         } else {
+          taken = std::max(taken, std::size_t{1});
           material->left_out += (material->left_out.empty() ? "" : ", ") + std::string(option);
         }
-        i += std::max(numbers.size(), std::size_t{places ? 0U : 1U});
+        i += taken;
       }
       if (i < words.size()) material->picture = name_from(line, words[i]);
     }

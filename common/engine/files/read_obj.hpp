@@ -42,6 +42,8 @@ struct Material {
   Rgb color{0.8, 0.8, 0.8};              ///< Kd
   std::string picture{};                 ///< map_Kd, as written; empty: none
   Uv<double> scale{1, 1}, offset{0, 0};  ///< its options -s and -o
+  bool clamped = false;                  ///< -clamp on: beyond 0 to 1 its edge goes on
+  double base = 0, gain = 1;             ///< -mm: each channel is base + gain * its texel's
   std::string left_out{};                ///< its other options
 };
 

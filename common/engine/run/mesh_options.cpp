@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "engine/files/load_image.hpp"
@@ -81,15 +82,25 @@ std::map<std::string, Material> known_materials(const ObjFile& file,
   return known;
 }
 
+// The picture with base + gain * c for each channel c, as a material says.
+void change_channels(Image& image, const Material& material) {
+  if (material.base == 0 && material.gain == 1) return;
+  for (Rgb8& pixel : image.pixels) {
+    const auto changed = [&](std::uint8_t c) { return material.base + material.gain * c / 255; };
+    pixel = bytes_of({changed(pixel.r), changed(pixel.g), changed(pixel.b)});
+  }
+}
+
 // The textures of a file's materials, pictures or, where they have none, colors. Scales and moves
-// (u, v) as they say; notes what is missing.
+// (u, v) as they say, and clamps pictures where the user leaves it to them; notes what is missing.
 Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesystem::path& path,
-                                                const UvOptions& options) {
+                                                const UvOptions& options, bool may_clamp) {
   std::string problems, missing, left_out;
   const std::map<std::string, Material> known = known_materials(file, path, problems);
   Materials<published::LookUpTexture> made;
-  const auto add = [&](const Image& image) {
+  const auto add = [&](const Image& image, bool clamped = false) {
     made.textures.push_back(options.read({image}));
+    if (clamped && may_clamp) made.textures.back().wrapped.wrap = Wrap::clamp;
     return static_cast<int>(made.textures.size()) - 1;
   };
   struct Look {
@@ -98,7 +109,7 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
     Material material{};
   };
   std::vector<Look> looks(1);  // of triangles without a material; then the file's
-  std::map<std::string, int> pictures;
+  std::map<std::tuple<std::string, bool, double, double>, int> pictures;
   std::size_t texels = 0;
   for (const std::string& name : file.material_names) {
     Look& look = looks.emplace_back();
@@ -111,12 +122,14 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
       if (found == known.end())
         throw FileError(problems.empty() ? "no .mtl file describes them" : problems);
       if (look.is_plain) continue;
-      const auto [picture, is_new] = pictures.try_emplace(material.picture, -1);
+      const auto [picture, is_new] = pictures.try_emplace(
+          {material.picture, material.clamped, material.base, material.gain}, -1);
       if (is_new) {
-        const Image image = load_image(path_of(material.picture));
+        Image image = load_image(path_of(material.picture));
         texels += image.pixels.size();
         if (texels > most_texels) throw FileError("all pictures together are too large");
-        picture->second = add(image);
+        change_channels(image, material);
+        picture->second = add(image, material.clamped);
       }
       look.picture = picture->second;
     } catch (const FileError& fault) {
@@ -165,8 +178,8 @@ void MeshOptions::declare(Offer& offer) {
       "from the lengths of the sides, or from areas in the picture, which perspective makes wrong");
   line.text("--mesh", "FILE", file,
             "draw this mesh, an OBJ file with texture coordinates, instead of the crate: with the "
-            "pictures and colors of its .mtl file, unless --texture is given, and repeated, unless "
-            "--wrap is given");
+            "pictures and colors of its .mtl file, unless --texture is given, and repeated, or "
+            "clamped where that file says so, unless --wrap is given");
   line.choice("--normals", normals, "smooth|flat",
               "how to shade a mesh that has normals: by their mix, or by each triangle's own");
   uv.declare(offer);
@@ -181,12 +194,13 @@ MeshScene MeshOptions::load(const Chosen& chosen, const Camera& seen_by) {
     static_cast<TexturedMesh&>(scene) = crate();
   } else {
     scene = load_obj(path_of(file));
-    if (!chosen.was_given("--wrap")) uv.look_up = published::LookUp{Wrap::repeat};
+    const bool is_free = !chosen.was_given("--wrap");
+    if (is_free) uv.look_up = published::LookUp{Wrap::repeat};
     if (chosen.was_given("--texture")) {  // it replaces all
       scene.material_names.clear();
       scene.materials.clear();
     }
-    materials = textures_of(scene, path_of(file), uv);
+    materials = textures_of(scene, path_of(file), uv, is_free);
     fit_to_crate(scene.mesh);
   }
   for (const std::string& note : scene.notes) chosen.note(file + ": " + note + "\n");

@@ -127,14 +127,23 @@ TEST_CASE("normals of unit length and materials arrive; where one is missing a f
               "faces without their normals (vn): 2, the first in line 12; they are flat"});
 }
 
-TEST_CASE("a material is its picture, with blanks, scale and offset, or its color") {
+TEST_CASE("a material is its picture, with blanks and options, or its color") {
   const std::map<std::string, Material> read = read_mtl(
-      "map_Kd none.png\nnewmtl a b\nNs 9\nKd 1 .5 0\n\tmap_Kd -s 2 3 1 -clamp on -o .5 -mm 0 1 "
-      "C:\\my pics\\a 1.png # x\nnewmtl c\r\nKd .25\r\nnewmtl d\nKd xyz 1 1\nmap_Kd\n");
-  CHECK(read.size() == 3);
+      "map_Kd none.png\nnewmtl a b\nNs 9\nKd 1 .5 0\n\tmap_Kd -s 2 3 1 -clamp on -o .5 "
+      "-mm .1 .7 -bm 2 C:\\my pics\\a 1.png # x\nnewmtl c\r\nKd .25\r\nnewmtl d\nKd xyz 1 1\n"
+      "map_Kd\n"
+      "newmtl e\nmap_Kd -clamp on a.png\nmap_Kd -clamp off -mm 1 b.png\n");
+  CHECK(read.size() == 4);
   const Material& picture = read.at("a b");
   CHECK(picture.picture == "C:\\my pics\\a 1.png");
-  CHECK(picture.left_out == "-clamp, -mm");
+  CHECK(picture.left_out == "-bm");
+  CHECK(picture.clamped);
+  CHECK(std::array{picture.base, picture.gain} == std::array{0.1, 0.7});
+  const Material& last = read.at("e");  // each map_Kd begins anew; -mm needs two numbers
+  CHECK(!last.clamped);
+  CHECK(std::array{last.base, last.gain} == std::array{0.0, 1.0});
+  CHECK(last.left_out == "-mm");
+  CHECK(last.picture == "b.png");
   CHECK(picture.color.g == 0.5);
   CHECK(std::array{picture.scale.u, picture.scale.v} == std::array{2.0, 3.0});
   CHECK(std::array{picture.offset.u, picture.offset.v} == std::array{0.5, 0.0});
