@@ -241,17 +241,19 @@ TEST_CASE("-clamp on repeats a picture's edge, unless --wrap is given; -mm chang
   const std::string file = folder / "m.obj";
   std::ofstream(file) << "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1.2 -.3\n"
                          "usemtl clamped\nf 1/1 2/1 3/1\nusemtl repeated\nf 1/1 2/1 3/1\n"
-                         "usemtl changed\nf 1/1 2/1 3/1\n";
+                         "usemtl changed\nf 1/1 2/1 3/1\nusemtl clear\nf 1/1 2/1 3/1\n";
   const std::string crate = TEXMAP_ASSETS_DIR "/crate.png\n";
   std::ofstream(folder / "m.mtl") << "newmtl clamped\nmap_Kd -clamp on " + crate +
                                          "newmtl repeated\nmap_Kd -clamp off " + crate +
-                                         "newmtl changed\nmap_Kd -mm 0.9 -0.5 " + crate;
+                                         "newmtl changed\nmap_Kd -mm 0.9 -0.5 " + crate +
+                                         "newmtl clear\nmap_Kd " TEXMAP_TESTS_DIR
+                                         "/corpus/png_rgba16_normal.png\n";
   const auto colors_with = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--mesh", file});
     const Lesson lesson = prepared<Lesson>(arguments);
-    std::array<Vec3d, 3> colors;
+    std::array<Vec3d, 4> colors;
     MeshHit<double> hit;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
       hit.triangle = double(i);
       const Rgb color = lesson.paint(hit);
       colors[i] = {color.r, color.g, color.b};
@@ -263,11 +265,12 @@ TEST_CASE("-clamp on repeats a picture's edge, unless --wrap is given; -mm chang
     const Rgb color = crates.paint.texture(Uv<double>{u, v});
     return Vec3d{color.r, color.g, color.b};
   };
-  const auto [clamped, repeated, changed] = colors_with({});
+  const auto [clamped, repeated, changed, clear] = colors_with({});
   CHECK(largest(clamped - texel(1, 0)) == 0);
   CHECK(largest(repeated - texel(0.2, 0.7)) == 0);
   CHECK(largest(clamped - repeated) > 0.05);
   const Vec3d expected = Vec3d{0.9, 0.9, 0.9} - texel(0.2, 0.7) * 0.5;
   CHECK(largest(changed - expected) <= 0.5 / 255 + 1e-12);
+  CHECK(largest(clear) == 0);  // over black, as with --texture
   CHECK(largest(colors_with({"--wrap", "repeat"})[0] - repeated) == 0);
 }

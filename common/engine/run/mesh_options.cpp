@@ -95,7 +95,7 @@ void change_channels(Image& image, const Material& material) {
 // (u, v) as they say, and clamps pictures where the user leaves it to them; notes what is missing.
 Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesystem::path& path,
                                                 const UvOptions& options, bool may_clamp) {
-  std::string problems, missing, left_out;
+  std::string problems, missing, left_out, changed;
   const std::map<std::string, Material> known = known_materials(file, path, problems);
   Materials<published::LookUpTexture> made;
   const auto add = [&](const Image& image, bool clamped = false) {
@@ -125,7 +125,9 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
       const auto [picture, is_new] = pictures.try_emplace(
           {material.picture, material.clamped, material.base, material.gain}, -1);
       if (is_new) {
-        Image image = load_image(path_of(material.picture));
+        std::string note;
+        Image image = load_image(path_of(material.picture), &note);
+        if (!note.empty()) add_to(changed, material.picture + " " + note);
         texels += image.pixels.size();
         if (texels > most_texels) throw FileError("all pictures together are too large");
         change_channels(image, material);
@@ -156,6 +158,7 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
     file.notes.push_back("the chapter's picture is in place of the materials " + missing + ": " +
                          problems);
   }
+  if (!changed.empty()) file.notes.push_back(changed);
   if (!left_out.empty()) file.notes.push_back("left out the options of map_Kd: " + left_out);
   return made;
 }
