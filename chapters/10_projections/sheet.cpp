@@ -56,8 +56,10 @@ std::string bound_of(double value) { return std::isinf(value) ? "no bound" : sho
 /// How a layout distorts: small circles of the globe, equal there, over a color for the solid angle
 /// of the texels: blue where they are small, white for the mean, red where they are large.
 ///
-/// @param plain  white everywhere
-Image distortion_picture(Projection projection, int width, int height, bool plain = false) {
+/// @param plain   white everywhere
+/// @param wanted  see convert_projection
+Image distortion_picture(Projection projection, int width, int height, bool plain = false,
+                         const PixelChoice& wanted = {}) {
   Image image(width, height, paper);
   const auto color_at = [&](double column, double row) {
     const Uv<double> uv{column / width, 1 - row / height};
@@ -68,6 +70,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
   };
   for_each_row(height, 0, {}, [&](int row) {
     for (int column = 0; column < width; ++column) {
+      if (wanted && !wanted(column, row)) continue;
       // Away from the edges of circles the whole texel has one color, and one place is enough.
       const Uv<double> middle{(column + 0.5) / width, 1 - (row + 0.5) / height};
       const double inside = plain ? in_small_circle(unproject(projection, middle)) : 0;
@@ -111,8 +114,11 @@ SheetImage sheet_of_projections(const Session& session, const SharedImage& pictu
     panel.write("stretch " + bound_of(forms.worst_stretch));
     panel.write("seams " + text("%.0f\u00b0", seam_degrees(facts.projection)));
     const PictureSize size = converted_size(model, Projection::equirect, facts.projection);
+    const auto wanted = [&](int column, int row) {
+      return session.needs(panel.left + column, panel.top + row);
+    };
     Image unfolded =
-        convert_projection(picture, from, facts.projection, size, session.settings.threads);
+        convert_projection(picture, from, facts.projection, size, session.settings.threads, wanted);
     for (Rgb8& pixel : unfolded.pixels) pixel = in_steps(pixel);
     for (int row = 0; row < size.height; ++row) {
       for (int column = 0; column < size.width; ++column) {
@@ -122,14 +128,15 @@ SheetImage sheet_of_projections(const Session& session, const SharedImage& pictu
     }
     panel.lay(unfolded);
     panel.top += gap;
-    panel.lay(distortion_picture(facts.projection, size.width, size.height));
+    panel.lay(distortion_picture(facts.projection, size.width, size.height, false, wanted));
   }
 
   SheetColumn panel{sheet, 3 * cell + gap, second_row + gap, scale, line, 0};
   for (const char* words : {"circles on the globe", "blue: small texels", "red: large texels", ""})
     panel.write(words);
   const int side = std::max(1, cell - 2 * gap);
-  panel.lay(draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side));
+  static const Image circles = distortion_picture(Projection::equirect, 1024, 512, true);
+  panel.lay(draw_globe(circles, side, side));
   return sheet;
 }
 

@@ -13,7 +13,8 @@ namespace texmap::chapter_10 {
 /// The stage from nearby in this size, its globe in this picture, which is equirectangular.
 using DrawGlobe = std::function<Image(const Image& picture, int width, int height)>;
 
-/// The sheet, as large as the session's picture, of a picture in the layout `from`.
+/// The sheet, as large as the session's picture, of a picture in the layout `from`; of its maps the
+/// pixels that the session needs.
 [[nodiscard]] SheetImage sheet_of_projections(const Session& session, const SharedImage& picture,
                                               Projection from, const DrawGlobe& draw_globe);
 

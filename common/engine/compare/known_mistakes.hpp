@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "texture/image.hpp"
@@ -48,8 +49,10 @@ inline constexpr double nearly_the_same = 0.004;
 /// Maps on which a right program draws what a wrong look-up of (u, v) or of the texel draws on
 /// `map`: mirrored, upside down, moved by half a texel or one, and so on.
 ///
-/// @param map  in any layout in which u runs to the right; what "left" is, is said of the map
-[[nodiscard]] std::vector<WrongPicture> mistaken_maps(const Image& map);
+/// @param map    in any layout in which u runs to the right; what "left" is, is said of the map
+/// @param names  of those wanted, with blanks between them; empty: all
+[[nodiscard]] std::vector<WrongPicture> mistaken_maps(const Image& map,
+                                                      std::string_view names = {});
 
 /// The right pictures in a folder by their names, with words such as "a picture of chapter 02".
 /// What is no picture, or cannot be read, is left out.

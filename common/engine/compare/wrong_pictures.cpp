@@ -2,8 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "engine/compare/known_mistakes.hpp"
 #include "math/srgb.hpp"
@@ -169,44 +173,58 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
   return wrong;
 }
 
-std::vector<WrongPicture> mistaken_maps(const Image& map) {
+std::vector<WrongPicture> mistaken_maps(const Image& map, std::string_view names) {
   const std::string quarter =
       "a quarter turn off: u begins at another place, or the globe is turned";
   const std::string gray = "gray: the texture's colors are lost";
   const int half = map.width / 2, fourth = map.width / 4;
-  return {
-      {"mirrored", "mirrored: u runs the other way", flipped(map, true, false)},
-      {"upside_down", "upside down: v runs the other way", flipped(map, false, true)},
-      {"half_turn", "turned by half: u and v run the other way", flipped(map, true, true)},
-      {"quarter_east", quarter, moved_by(map, fourth, 0)},
-      {"quarter_west", quarter, moved_by(map, -fourth, 0)},
-      {"opposite", "half a turn off: u begins on the other side, or the globe is turned",
-       moved_by(map, half, 0)},
-      {"stripes", "striped: u is negative on one half and was limited to 0; the 1/2 is missing",
-       placed(map, [&](int x, int y) { return Place(std::max(x - half, 0), y); })},
-      {"exchanged", "u and v are exchanged", transposed(map)},
-      {"by_height", "squeezed at the poles: v was taken from the height, without the angle",
-       by_height(map)},
-      {"half_texel_left", "half a texel to the left: u n was rounded and not cut off",
-       moved_by(map, -1, 0, 2)},
-      {"half_texel_right", "half a texel to the right", moved_by(map, 1, 0, 2)},
-      {"half_texel_up", "half a texel up", moved_by(map, 0, -1, 2)},
-      {"half_texel_down", "half a texel down", moved_by(map, 0, 1, 2)},
-      {"texel_left", "one texel to the left: columns were counted from 1", moved_by(map, -1, 0)},
-      {"texel_right", "one texel to the right", moved_by(map, 1, 0)},
-      {"texel_up", "one texel up: rows were counted from 1", moved_by(map, 0, -1)},
-      {"texel_down", "one texel down", moved_by(map, 0, 1)},
-      {"bgr", "red and blue are exchanged in the texture", bgr(map)},
-      {"gray", gray, grayed(map, equal_weights)},
-      {"gray_601", gray, grayed(map, weights_of_1982)},
-      {"gray_709", gray, grayed(map, weights_of_1990)},
-      {"decoded", "the texture is too dark: its bytes were decoded and never encoded again",
-       through_curve(map, srgb_decode<double>)},
-      {"encoded", "the texture is too pale: its bytes were encoded twice",
-       through_curve(map, srgb_encode<double>)},
-      {"black", "black texture: the file was not loaded, and the program did not check",
-       Image(map.width, map.height)},
+  struct Row {
+    const char* name;
+    std::string words;
+    std::function<Image()> draw;
   };
+  const Row rows[] = {
+      {"mirrored", "mirrored: u runs the other way", [&] { return flipped(map, true, false); }},
+      {"upside_down", "upside down: v runs the other way",
+       [&] { return flipped(map, false, true); }},
+      {"half_turn", "turned by half: u and v run the other way",
+       [&] { return flipped(map, true, true); }},
+      {"quarter_east", quarter, [&] { return moved_by(map, fourth, 0); }},
+      {"quarter_west", quarter, [&] { return moved_by(map, -fourth, 0); }},
+      {"opposite", "half a turn off: u begins on the other side, or the globe is turned",
+       [&] { return moved_by(map, half, 0); }},
+      {"stripes", "striped: u is negative on one half and was limited to 0; the 1/2 is missing",
+       [&] { return placed(map, [&](int x, int y) { return Place(std::max(x - half, 0), y); }); }},
+      {"exchanged", "u and v are exchanged", [&] { return transposed(map); }},
+      {"by_height", "squeezed at the poles: v was taken from the height, without the angle",
+       [&] { return by_height(map); }},
+      {"half_texel_left", "half a texel to the left: u n was rounded and not cut off",
+       [&] { return moved_by(map, -1, 0, 2); }},
+      {"half_texel_right", "half a texel to the right", [&] { return moved_by(map, 1, 0, 2); }},
+      {"half_texel_up", "half a texel up", [&] { return moved_by(map, 0, -1, 2); }},
+      {"half_texel_down", "half a texel down", [&] { return moved_by(map, 0, 1, 2); }},
+      {"texel_left", "one texel to the left: columns were counted from 1",
+       [&] { return moved_by(map, -1, 0); }},
+      {"texel_right", "one texel to the right", [&] { return moved_by(map, 1, 0); }},
+      {"texel_up", "one texel up: rows were counted from 1", [&] { return moved_by(map, 0, -1); }},
+      {"texel_down", "one texel down", [&] { return moved_by(map, 0, 1); }},
+      {"bgr", "red and blue are exchanged in the texture", [&] { return bgr(map); }},
+      {"gray", gray, [&] { return grayed(map, equal_weights); }},
+      {"gray_601", gray, [&] { return grayed(map, weights_of_1982); }},
+      {"gray_709", gray, [&] { return grayed(map, weights_of_1990); }},
+      {"decoded", "the texture is too dark: its bytes were decoded and never encoded again",
+       [&] { return through_curve(map, srgb_decode<double>); }},
+      {"encoded", "the texture is too pale: its bytes were encoded twice",
+       [&] { return through_curve(map, srgb_encode<double>); }},
+      {"black", "black texture: the file was not loaded, and the program did not check",
+       [&] { return Image(map.width, map.height); }},
+  };
+  std::vector<WrongPicture> maps;
+  for (const Row& row : rows) {
+    if (names.empty() || names.find(row.name) != names.npos)
+      maps.push_back({row.name, row.words, row.draw()});
+  }
+  return maps;
 }
 
 }  // namespace texmap

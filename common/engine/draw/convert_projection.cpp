@@ -144,7 +144,7 @@ Color<double> light_at(const SharedLight& image, Projection projection, const Uv
 }
 
 Image convert_projection(const SharedImage& image, Projection from, Projection to,
-                         const PictureSize& size, int threads) {
+                         const PictureSize& size, int threads, const PixelChoice& wanted) {
   if (from == to && size == PictureSize{image.width, image.height})
     return static_cast<const Image&>(image);
   const SharedLight light(image, TexelLight::linear);
@@ -153,6 +153,7 @@ Image convert_projection(const SharedImage& image, Projection from, Projection t
     std::array<Vec3<double>, most_places * most_places> directions;
     std::array<Uv<double>, most_places * most_places> places;
     for (int column = 0; column < size.width; ++column) {
+      if (wanted && !wanted(column, row)) continue;
       const Uv<double> center = center_of({column, row}, size.width, size.height);
       // Texels on the rim show the nearest direction, so that no black is mixed in.
       if (!shows(to, center, 1.5 / size.width)) continue;

@@ -1,5 +1,7 @@
 // From a picture of the sphere in one layout to the same picture in another.
 #pragma once
+#include <functional>
+
 #include "texture/image.hpp"
 #include "texture/light_image.hpp"
 #include "texture/projection_facts.hpp"
@@ -31,12 +33,16 @@ struct Texel {
 [[nodiscard]] Color<double> light_at(const SharedLight& image, Projection projection,
                                      const Uv<double>& uv);
 
+/// Whether a pixel is to be drawn; asked from any thread. Empty: all.
+using PixelChoice = std::function<bool(int column, int row)>;
+
 /// A picture in another layout: light_at, and where the picture shrinks the mean of n x n places of
 /// a texel, n up to 8 from the footprint that duals give. Light is averaged, not bytes.
 ///
 /// @param threads  0: all cores
-/// @return  `image` itself where nothing changes; black where `from` shows nothing
+/// @return  `image` itself where nothing changes; black where `from` shows nothing, or not wanted
 [[nodiscard]] Image convert_projection(const SharedImage& image, Projection from, Projection to,
-                                       const PictureSize& size, int threads = 0);
+                                       const PictureSize& size, int threads = 0,
+                                       const PixelChoice& wanted = {});
 
 }  // namespace texmap

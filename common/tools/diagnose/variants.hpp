@@ -34,6 +34,7 @@ Image drawn_at(Ready<Lesson>& ready, int every) {
   Session session(ready.chosen);
   Image whole;
   session.taken = &whole;
+  session.every = every;
   draw_and_save(ready.lesson, session);
   return pixels_of(whole, every);
 }
@@ -139,6 +140,7 @@ inline StageView of_colors(const StageView& stage, const Image& pixels, int ever
                  .width = stage.width,
                  .height = stage.height,
                  .tolerance = stage.tolerance};
+  view.pixels.reserve(pixels.pixels.size());
   for (int row = 0; row < pixels.height; ++row) {
     for (int column = 0; column < pixels.width; ++column) {
       const Rgb8 is = pixels.at(column, row);
@@ -184,9 +186,10 @@ void visit_variants(const StageView& stage, const Visit& visit) {
   if constexpr (requires(Lesson lesson) { lesson.texture.kept; }) {
     // A wrong look-up is a right look-up on another map. A sheet takes long: it has the usual ones.
     constexpr std::string_view usual =
-        "mirrored upside_down half_turn opposite exchanged bgr decoded encoded black";
-    for (const WrongPicture& map : mistaken_maps(Lesson().texture.load())) {
-      if (draws_itself<Lesson> && usual.find(map.name) == std::string_view::npos) continue;
+        draws_itself<Lesson>
+            ? "mirrored upside_down half_turn opposite exchanged bgr decoded encoded black"
+            : "";
+    for (const WrongPicture& map : mistaken_maps(Lesson().texture.load(), usual)) {
       draw(
           {map.words, ""}, {}, [&](Lesson& lesson) { lesson.texture.kept = map.picture; },
           by_program);

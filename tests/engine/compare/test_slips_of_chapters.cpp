@@ -12,6 +12,7 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
 #include "08_triangle_uv/lesson.hpp"
+#include "10_projections/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
 #include "diagnose/page_slips.hpp"
 #include "diagnose/slips.hpp"
@@ -186,6 +187,15 @@ TEST_CASE("what is drawn again at few pixels is what the program draws there") {
   check(std::make_unique<Ready<chapter_07::Lesson>>("07_earth_by_sampling", small));
   check(std::make_unique<Ready<chapter_12::Lesson>>("12_environment_map", small));
   check(std::make_unique<Ready<chapter_08::Lesson>>("08_triangle_uv", small));
+
+  Ready<chapter_10::Lesson> sheet("10_projections", {"--width", "300", "--height", "200"});
+  sheet.chosen.settings.quiet = true;
+  build(sheet.lesson, sheet.chosen);
+  Session session(sheet.chosen);
+  Image whole;
+  session.taken = &whole;
+  draw_and_save(sheet.lesson, session);
+  CHECK(slips::drawn_at(sheet, 3) == slips::pixels_of(whole, 3));
 }
 
 TEST_CASE("a mesh and gathered light: mistakes are drawn again, also with other random numbers") {
