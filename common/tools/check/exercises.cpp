@@ -23,13 +23,11 @@ std::vector<KnownMistake> Exercise::mistakes() const {
   return known;
 }
 
-ExercisesOfChapter::ExercisesOfChapter(const std::string& chapter,
-                                       std::vector<Exercise> all_exercises,
-                                       std::vector<Question> all_questions)
-    : exercises(std::move(all_exercises)), questions(std::move(all_questions)) {
+void ExercisesOfChapter::give_ids(const std::string& chapter,
+                                  const std::vector<std::any>& all_starts) {
   char number = '1', letter = 'a';
   for (Exercise& one : exercises) {
-    one.start = &starts.at(static_cast<std::size_t>(number - '1'));
+    one.start = &all_starts.at(static_cast<std::size_t>(number - '1'));
     one.id = chapter + "." + number++;
   }
   for (Question& one : questions) one.id = chapter + "." + letter++;

@@ -92,7 +92,13 @@ struct ExercisesOfChapter {
   std::vector<Question> questions;
 
   ExercisesOfChapter(const std::string& chapter, std::vector<Exercise> all_exercises,
-                     std::vector<Question> all_questions);
+                     std::vector<Question> all_questions)
+      : exercises(std::move(all_exercises)), questions(std::move(all_questions)) {
+    give_ids(chapter, starts);
+  }
+
+ private:
+  void give_ids(const std::string& chapter, const std::vector<std::any>& all_starts);
 };
 [[nodiscard]] const ExercisesOfChapter& exercises_of_chapter();
 
