@@ -16,7 +16,7 @@ alone='<!-- no step: this chapter stands on its own -->'
 
 # The changed lines of two lessons, with a blank line between hunks.
 step_of() {
-  diff -U 0 "$1" "$2" | sed -e '1,2d' -e 's/^@@.*@@.*$//' | sed '1{/^$/d;}' || true
+  diff -d -U 0 "$1" "$2" | sed -e '1,2d' -e 's/^@@.*@@.*$//' | sed '1{/^$/d;}' || true
 }
 
 # The README on standard input with the step from file $1 between its marks.
