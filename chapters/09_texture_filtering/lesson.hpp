@@ -37,11 +37,10 @@ struct Lesson : FilteredLesson {
 
   Groups options() override { return {texture, filtering}; }
   void build(Chosen& chosen) override {
-    keep_scene(*this);
     ground.texture = filtering.load_floor();
     const Textured globe{{rotation_y(60), {}}, filtering.load_globe(texture)};
     for (Object& object : objects) object.paint = globe;
-    filter_by_budget(*this, chosen);
+    choose_scene(*this, chosen);
   }
   Surface<double> first_surface(const Ray<double>& ray) const override {
     const Surface<double> nearest = surface_of(objects, ray);

@@ -77,9 +77,10 @@ template <class Lesson>
 [[nodiscard]] std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
                                                        Chosen& chosen);
 
-/// Lets a lesson read its textures by the filter that the user's budget allows, if there is one.
+/// Leaves in a lesson what the user's scene shows, read by the filter that a budget allows.
 template <class Lesson>
-void filter_by_budget(Lesson& lesson, Chosen& chosen) {
+void choose_scene(Lesson& lesson, Chosen& chosen) {
+  keep_scene(lesson);
   const auto plan = plan_by_budget([&] { return planned_scene(lesson); }, chosen);
   if (plan) read_by(lesson, plan->filter, plan->taps);
 }

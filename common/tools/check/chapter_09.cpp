@@ -57,11 +57,13 @@ struct FilteredTexture : texmap::FilteredTexture {
 struct Lesson;
 /// The program's sheet of all filters is not drawn here, and nobody gives a budget.
 inline void show_filters(Lesson&, Session&) {}
-inline void filter_by_budget(Lesson&, Chosen&) {}
+inline void choose_scene(Lesson& lesson, Chosen& chosen);
 
 }  // namespace texmap::chapter_09
 
 #include "09_texture_filtering/lesson.hpp"
+
+inline void texmap::chapter_09::choose_scene(Lesson& lesson, Chosen&) { keep_scene(lesson); }
 
 namespace texmap::check {
 namespace {

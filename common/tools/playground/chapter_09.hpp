@@ -10,12 +10,15 @@
 namespace texmap::chapter_09 {
 
 struct Lesson;
-/// A page chooses the filter by its knob.
-inline void filter_by_budget(Lesson&, Chosen&) {}
+/// Without a budget: a page chooses the filter by its knob.
+inline void choose_scene(Lesson& lesson, Chosen& chosen);
 
 }  // namespace texmap::chapter_09
 
 #include "09_texture_filtering/lesson.hpp"
+
+inline void texmap::chapter_09::choose_scene(Lesson& lesson, Chosen&) { keep_scene(lesson); }
+
 #include "figure.hpp"
 #include "live.hpp"
 #include "math/srgb.hpp"
