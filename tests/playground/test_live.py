@@ -221,7 +221,10 @@ def check_files(place, browser):
             choose(file)
             browser.wait(f"{SAYS}.includes({file!r}) && /done|refused/.test({STATE})", 20)
             words = browser.run(SAYS)
-            stays = pixels(browser) == before and file not in browser.run(COMMAND)
+            end = time.monotonic() + 10  # what was refused small is drawn once more, as before
+            while not (stays := pixels(browser) == before) and time.monotonic() < end:
+                time.sleep(0.1)
+            stays = stays and file not in browser.run(COMMAND)
             if "own_" in words or len(words) < 20 or not stays:
                 yield f"{file}: {words!r}, and the picture {'stays' if stays else 'changes'}"
 

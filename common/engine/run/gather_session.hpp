@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "engine/draw/develop.hpp"
@@ -43,19 +44,23 @@ template <class Lesson>
   }
 }
 
-/// The kernels that a budget allows for a paint with a texture of light.
+/// The kernels that a budget allows for a globe; for all other paints the reference formulas.
 ///
 /// @param reads  how many texels the picture reads
-template <class Mapping>
-[[nodiscard]] KernelPlan plan_for(const Mapped<Mapping, LightTexture>& paint, const Budget& budget,
-                                  double reads) {
-  return plan_surface(budget, paint.texture.image, reads);
-}
-/// For all other paints the reference formulas.
+/// Errors: UsageError for a budget with another paint, which has no faster formulas.
 template <class Paint>
-[[nodiscard]] KernelPlan plan_for(const Paint& /*paint*/, const Budget& /*budget*/,
-                                  double /*reads*/) {
-  return {};
+[[nodiscard]] KernelPlan plan_for([[maybe_unused]] const Paint& paint, const Budget& budget,
+                                  [[maybe_unused]] double reads) {
+  if constexpr (std::is_same_v<Paint, GlobePaint>) {
+    return plan_surface(budget, paint.texture.image, reads);
+  } else {
+    if (!budget.is_exact()) {
+      throw UsageError(
+          "--budget is for a globe with a picture in one of the conventions: this lesson's paint "
+          "has no faster formulas");
+    }
+    return {};
+  }
 }
 
 /// The picture of the light that a lesson gathers; prints the kernels and the error.
