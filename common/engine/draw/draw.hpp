@@ -86,8 +86,8 @@ template <class Arch, class Work>
   return work.template run<Pack2<Pack<double, Arch>>>();
 }
 
-/// The same with wider instructions: defined in files that CMake adds for each set (wide/), called
-/// only on machines that have them.
+/// The same with wider instructions: defined in files that CMake adds for each set, called only on
+/// machines that have them.
 template <Instructions instructions, class Work>
 [[nodiscard]] typename Work::Result run_in_wide_packs(const Work& work, NumberKind number);
 

@@ -16,8 +16,8 @@ enum class NumberKind {
   interval,     ///< two doubles around the true number: draws the certainty map
 };
 
-/// Instruction sets for packs. Wider ones are compiled in files of their own (wide/), so that one
-/// program runs on every machine.
+/// Instruction sets for packs. Wider ones are compiled in files of their own, so that one program
+/// runs on every machine.
 enum class Instructions {
   baseline,  ///< on every machine of this kind: SSE2 on x86-64, 16 bytes at once
   avx2,      ///< 32 bytes at once
