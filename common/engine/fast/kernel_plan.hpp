@@ -125,7 +125,6 @@ struct PlannedPower {
 
 /// The paint that plans are made for.
 using GlobePaint = Mapped<Rotated<ConventionMapping>, LightTexture>;
-
 /// A scene's objects with the plan's paints. Other kinds of paint stay as they are.
 [[nodiscard]] inline std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
     const KernelPlan& plan, const std::vector<Painted<GlobePaint>>& objects) {
