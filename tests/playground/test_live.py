@@ -221,7 +221,7 @@ def check_files(place, browser):
             choose(file)
             browser.wait(f"{SAYS}.includes({file!r}) && /done|refused/.test({STATE})", 20)
             words = browser.run(SAYS)
-            end = time.monotonic() + 10  # what was refused small is drawn once more, as before
+            end = time.monotonic() + 10  # the page draws the picture before once more
             while not (stays := pixels(browser) == before) and time.monotonic() < end:
                 time.sleep(0.1)
             stays = stays and file not in browser.run(COMMAND)

@@ -41,7 +41,8 @@ const Way& fastest(const TradePart& part, const May& may) {
   return *best;
 }
 
-/// The time of a work that finds nothing of its own in the cache, as it does among others.
+/// The time of a work alone. Before each run the cache is filled with other data, as the other
+/// works would fill it.
 WorkTime time_alone(const Work& work, int rounds) {
   std::vector<char> others(std::size_t{1} << 28);
   const Work fill_cache = [&] {

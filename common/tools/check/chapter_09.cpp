@@ -55,7 +55,7 @@ struct FilteredTexture : texmap::FilteredTexture {
 };
 
 struct Lesson;
-/// The program's sheet of all filters is not drawn here, and nobody gives a budget.
+/// The exercises draw one picture. They have no sheet of filters and no budget.
 inline void show_filters(Lesson&, Session&) {}
 inline void choose_scene(Lesson& lesson, Chosen& chosen);
 

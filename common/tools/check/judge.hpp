@@ -28,8 +28,8 @@ requires std::is_arithmetic_v<Number>
 template <class Out>
 inline constexpr std::size_t count_of_parts = std::tuple_size_v<decltype(parts(Out{}))>;
 
-/// What a function returned, as the numbers that it consists of. What is known of values is in
-/// these, whatever the type, so that judge() is compiled once.
+/// What a function returned, as a list of numbers. judge() reads these lists, whatever the type is,
+/// and is compiled once.
 struct Value {
   std::array<double, 3> numbers{};
   std::size_t count = 1;
@@ -88,7 +88,7 @@ using SlipTable = std::vector<Slip>;
 
 /// Adds rows to a table.
 void append(SlipTable& table, const SlipTable& more);
-/// Says the rule of all rows of a table: each gets the word "what is wrong: rule".
+/// Adds a rule to the words of all rows: "what is wrong: rule".
 void add_rule(SlipTable& table, const std::string& rule);
 
 /// The mistakes with a function, at one place; the same rows at each place. To add one, add a row

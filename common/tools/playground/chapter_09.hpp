@@ -1,4 +1,4 @@
-// Chapter 09: another filter beside the chosen one, what a filter reads, and usual mistakes.
+// Chapter 09's page: a second filter beside the first, the texels that a filter reads, mistakes.
 #pragma once
 #include <algorithm>
 #include <cmath>

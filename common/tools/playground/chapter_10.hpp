@@ -1,4 +1,4 @@
-// Chapter 10: the map beside the globe, a point on one shown on the other, and usual mistakes.
+// Chapter 10's page: the map below the globe, a point of one marked on the other, mistakes.
 #pragma once
 #include <cmath>
 #include <utility>

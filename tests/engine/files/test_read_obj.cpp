@@ -139,7 +139,8 @@ TEST_CASE("a material is its picture, with blanks and options, or its color") {
   CHECK(picture.left_out == "-bm");
   CHECK(picture.clamped);
   CHECK(std::array{picture.base, picture.gain} == std::array{0.1, 0.7});
-  const Material& last = read.at("e");  // each map_Kd begins anew; -mm needs two numbers
+  // A second map_Kd replaces the first and its options. Its -mm has one number and is left out.
+  const Material& last = read.at("e");
   CHECK(!last.clamped);
   CHECK(std::array{last.base, last.gain} == std::array{0.0, 1.0});
   CHECK(last.left_out == "-mm");
