@@ -71,10 +71,11 @@ TEST_CASE(
 TEST_CASE(
     "the lecture's scene has its own size, exponent, convention and angle unless the user chose "
     "others") {
-  Lesson lesson;
-  const Settings settings = make_ready(lesson, {"--scene", "lecture"});
-  CHECK(settings.width == 800);
-  CHECK(settings.height == 400);
+  Ready<Lesson> ready("test", {"--scene", "lecture"});
+  ready.build();
+  const Lesson& lesson = ready.lesson;
+  CHECK(ready.chosen.settings.width == 800);
+  CHECK(ready.chosen.settings.height == 400);
   CHECK(lesson.phong.shininess == 500);
   CHECK(lesson.objects.front().material.blends);
   CHECK(lesson.layout.convention == Convention::lecture);

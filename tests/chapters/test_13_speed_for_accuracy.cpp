@@ -9,7 +9,7 @@
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/show.hpp"
 #include "engine/files/text.hpp"
-#include "engine/run/run_chapter.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "support/shown_values.hpp"
 
 using namespace texmap;
@@ -407,11 +407,9 @@ TEST_CASE("a picture that goes to a device has no report, and others have four f
 
 TEST_CASE("a number and samples cannot be chosen, and budgets that are none are refused") {
   const auto show = [](const std::vector<std::string>& words) {
-    Lesson lesson;
-    CommandLine line("test", "");
-    Chosen chosen("test", offer_of(lesson, line), Lesson::about);
-    Session session(chosen);
-    if (line.parse(words)) lesson.draw_all(session);
+    Ready<Lesson> ready("test", words);
+    Session session(ready.chosen);
+    ready.lesson.draw_all(session);
   };
   CHECK_THROWS_AS(show({"--number", "float"}), UsageError);
   CHECK_THROWS_AS(show({"--samples", "4"}), UsageError);

@@ -14,7 +14,7 @@
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/show.hpp"
 #include "14_numerical_extremes/lesson.hpp"
-#include "engine/run/run_chapter.hpp"
+#include "engine/run/draw_lesson.hpp"
 
 namespace texmap::test {
 namespace {
@@ -38,12 +38,10 @@ void print_sheet(const char* chapter, const SheetImage& sheet, const std::string
 /// A lesson without an option, with a session that draws its sheet.
 template <class Lesson>
 struct Drawing {
-  Lesson lesson;
-  CommandLine line{"page_sheets", ""};
-  Chosen chosen{"page_sheets", offer_of(lesson, line), Lesson::about};
-  Session session{chosen};
+  Ready<Lesson> ready{"page_sheets", {}};
+  Session session{ready.chosen};
 
-  Drawing() { build(lesson, chosen); }
+  Drawing() { ready.build(); }
 };
 
 /// The names of the exhibits, in the order of the sheet.
@@ -60,25 +58,28 @@ int main() {
   using namespace texmap;
   using namespace texmap::test;
   Drawing<chapter_04::Lesson> conventions;
-  print_sheet("04_uv_conventions", sheet_of_conventions(conventions.lesson, conventions.session));
+  print_sheet("04_uv_conventions",
+              sheet_of_conventions(conventions.ready.lesson, conventions.session));
   const std::string table = chapter_04::table_of_relations();
   std::istringstream lines(table.substr(table.find("\n\n") + 2));
   for (std::string line; std::getline(lines, line) && !line.empty();) print_part({line, 0, 0});
 
   Drawing<chapter_09::Lesson> filters;
-  const auto figures = chapter_09::compare_filters(floor_of(filters.lesson), 0, false);
-  print_sheet("09_texture_filtering", sheet_of_filters(filters.session, figures,
-                                                       drawn_by(filters.lesson, filters.session)));
+  const auto figures = chapter_09::compare_filters(floor_of(filters.ready.lesson), 0, false);
+  print_sheet(
+      "09_texture_filtering",
+      sheet_of_filters(filters.session, figures, drawn_by(filters.ready.lesson, filters.session)));
 
   Drawing<chapter_10::Lesson> projections;
-  print_sheet("10_projections", sheet_of_projections(projections.lesson, projections.session));
+  print_sheet("10_projections",
+              sheet_of_projections(projections.ready.lesson, projections.session));
 
   const auto [width, height] = chapter_13::Lesson::about.size;
   const chapter_13::Globe globe(chapter_13::Lesson{}.texture.load());
   print_sheet("13_speed_for_accuracy", draw_sheet(globe, width, height, 0, [](int, int) {}));
 
   Drawing<chapter_14::Lesson> extremes;
-  const auto exhibits = extremes.lesson.exhibits();
+  const auto exhibits = extremes.ready.lesson.exhibits();
   print_sheet("14_numerical_extremes", draw_sheet(exhibits, extremes.session).picture,
               names_of(exhibits));
 }

@@ -22,7 +22,7 @@
 #include "chapter_12.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/fast/srgb_kernel.hpp"
-#include "engine/run/prepared.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "knobs.hpp"
 #include "sampling/hash.hpp"
 #include "support/pictures.hpp"
@@ -220,8 +220,9 @@ TEST_CASE("far away, float's texels are off by the textbook's sphere more than b
 
 TEST_CASE("07: passes end with the program's picture, and its samples have the film's mean") {
   const Words words = {"--samples", "5", "--seed", "3", "--width", "60", "--height", "40"};
-  chapter_07::Lesson lesson;
-  const Settings settings = make_ready(lesson, words);
+  Ready<chapter_07::Lesson> ready("test", words);
+  ready.build();
+  const chapter_07::Lesson& lesson = ready.lesson;
   const View<> view = view_of_lesson(lesson, {60, 40});
   const Sampler sampler(lesson.sampling.sampler, 5, 3);
   const Film film =
@@ -239,7 +240,7 @@ TEST_CASE("07: passes end with the program's picture, and its samples have the f
     CHECK(mean[2] == doctest::Approx(light.b).epsilon(1e-12));
     CHECK(pixel["figure"]["shapes"].size() == 5);
   }
-  CHECK(settings.samples == 5);
+  CHECK(ready.chosen.settings.samples == 5);
 }
 
 TEST_CASE("08: weights and (u, v) are those of the mesh, and areas give the weights") {

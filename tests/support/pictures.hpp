@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/compare/difference.hpp"
-#include "engine/run/prepared.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "scene/nearest.hpp"
 #include "support/made_pictures.hpp"
 

@@ -24,10 +24,10 @@ class Session {
   [[nodiscard]] Image draw(const Lesson& lesson) {
     return draw(lesson, settings.width, settings.height);
   }
-  /// The lesson's picture in another size. Defined in run_chapter.hpp.
+  /// The lesson's picture in another size. Defined in draw_lesson.hpp.
   template <class Lesson>
   [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
-  /// Draws and saves the lesson's picture, or those of its turntable. Defined in run_chapter.hpp.
+  /// Draws and saves the lesson's picture, or those of its turntable. Defined in draw_lesson.hpp.
   template <class Lesson>
   void save_frames(Lesson& lesson);
   /// The view of a lesson's camera for a picture of this size, or the user's close-up of it.

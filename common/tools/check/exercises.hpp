@@ -14,7 +14,7 @@
 
 #include "engine/compare/difference.hpp"
 #include "engine/draw/render.hpp"
-#include "engine/run/prepared.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "judge.hpp"
 #include "texture/image.hpp"
 

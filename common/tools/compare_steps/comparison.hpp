@@ -9,7 +9,7 @@
 
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/run/prepared.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "texture/uv.hpp"
 #include "tools/page/page.hpp"
 
@@ -35,10 +35,11 @@ struct Drawing {
 template <class Lesson>
 [[nodiscard]] DrawnStep draw_step(const std::string& chapter, const Drawing& drawing,
                                   const std::vector<std::string>& options = {}) {
-  Lesson lesson;
-  const NumberKind number = make_ready(lesson, options).number;
+  Ready<Lesson> ready(chapter, options);
+  ready.build();
+  const Lesson& lesson = ready.lesson;
   const View<> view = view_of(lesson.stage.camera, drawing.width, drawing.height);
-  DrawnStep step{chapter, draw(lesson, view, number, {}), {}, {}};
+  DrawnStep step{chapter, draw(lesson, view, ready.chosen.settings.number, {}), {}, {}};
   for (const std::string& word : options) step.name += " " + word;
   for (int row = 0; row < drawing.height; ++row) {
     for (int column = 0; column < drawing.width; ++column) {

@@ -111,17 +111,12 @@ std::vector<slips::StageView> stages_of(const Choices& choices, const Image& min
                                         const std::vector<WrongPicture>& candidates) {
   std::vector<slips::StageView> stages;
   for (const WrongPicture& one : candidates) {
-    for (const auto* known : {&slips::stages(), &slips::variants()}) {
-      for (const slips::OnStage& on_stage : *known) {
-        if (on_stage.name != one.name) continue;
-        slips::StageView stage = on_stage.view(on_stage.name, choices.texture);
-        if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height)
-          continue;
-        if (choices.texture.empty() ? slips::draws(stage, one.picture)
-                                    : !stage.picture.pixels.empty())
-          stages.push_back(std::move(stage));
-      }
-    }
+    const slips::OnStage* chapter = slips::find_chapter(one.name);
+    if (chapter == nullptr) continue;
+    slips::StageView stage = chapter->view(chapter->name, choices.texture);
+    if (stage.pixels.empty() || stage.width != mine.width || stage.height != mine.height) continue;
+    if (choices.texture.empty() ? slips::draws(stage, one.picture) : !stage.picture.pixels.empty())
+      stages.push_back(std::move(stage));
   }
   return stages;
 }
@@ -285,10 +280,7 @@ std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
 
 /// True if only a program with more chapters can tell what is wrong with a picture of this one.
 bool is_for_another(const Choices& choices, const WrongPicture& one) {
-  const auto knows = [&](const auto& all) {
-    return std::ranges::any_of(all, [&](const auto& known) { return known.name == one.name; });
-  };
-  return choices.first && one.name < "13" && !knows(slips::stages()) && !knows(slips::variants());
+  return choices.first && one.name < "13" && slips::find_chapter(one.name) == nullptr;
 }
 
 /// What is wrong with a picture that no chapter draws; empty if another program is to be asked.

@@ -239,6 +239,9 @@ template <class Change>
 Rgb each(const Rgb& c, const Change& change) {
   return {change(c.r), change(c.g), change(c.b)};
 }
+inline Rgb bgr(const Rgb& c) { return {c.b, c.g, c.r}; }
+inline Rgb gbr(const Rgb& c) { return {c.g, c.b, c.r}; }
+inline Rgb brg(const Rgb& c) { return {c.b, c.r, c.g}; }
 
 inline constexpr const char* in_order = "red, green, blue";
 inline constexpr const char* in_three = "`(row * width + column) * channels`";
@@ -269,20 +272,11 @@ inline constexpr Reading of_reading[] = {
        return bytes_at(image, first, first + 1, first + 2);
      }},
     {{"red and blue are exchanged in the texture", "red is the first byte"},
-     [](const Image& image, const Spot& at) {
-       const Rgb c = texel_color(image, at);
-       return Rgb{c.b, c.g, c.r};
-     }},
+     [](const Image& image, const Spot& at) { return bgr(texel_color(image, at)); }},
     {{"the channels of the texture are in the wrong order: green, blue, red", in_order},
-     [](const Image& image, const Spot& at) {
-       const Rgb c = texel_color(image, at);
-       return Rgb{c.g, c.b, c.r};
-     }},
+     [](const Image& image, const Spot& at) { return gbr(texel_color(image, at)); }},
     {{"the channels of the texture are in the wrong order: blue, red, green", in_order},
-     [](const Image& image, const Spot& at) {
-       const Rgb c = texel_color(image, at);
-       return Rgb{c.b, c.r, c.g};
-     }},
+     [](const Image& image, const Spot& at) { return brg(texel_color(image, at)); }},
     {{"gray: one channel of the texture was taken for all three", "each channel its own byte"},
      [](const Image& image, const Spot& at) { return gray(texel_color(image, at).r); }},
     {{"bytes from 128 on are negative: they were read as signed", "`unsigned char`"},
@@ -387,13 +381,9 @@ inline Rgb8 wrapped(const Rgb& c) {
 inline constexpr Bytes of_bytes[] = {
     {{}, bytes_of_color},
     {{"too dark: light was written without the curve of image files", ""},
-     [](const Rgb& c) {
-       return bytes_of_color(each(c, [](double x) { return srgb_decode(limited(x)); }));
-     }},
+     [](const Rgb& c) { return bytes_of_color(each(each(c, limited), srgb_decode<double>)); }},
     {{"too pale: the curve of image files was applied once too often", ""},
-     [](const Rgb& c) {
-       return bytes_of_color(each(c, [](double x) { return srgb_encode(limited(x)); }));
-     }},
+     [](const Rgb& c) { return bytes_of_color(each(each(c, limited), srgb_encode<double>)); }},
     {{"too pale: the power 1/2.2 of image files was applied once too often", ""},
      [](const Rgb& c) {
        return bytes_of_color(each(c, [](double x) { return std::pow(limited(x), 1 / 2.2); }));
@@ -416,17 +406,11 @@ inline constexpr Bytes of_bytes[] = {
        return Rgb8{byte(c.r), byte(c.g), byte(c.b)};
      }},
     {{"red and blue are exchanged in the whole picture", "red is the first byte"},
-     [](const Rgb& c) {
-       return bytes_of_color({c.b, c.g, c.r});
-     }},
+     [](const Rgb& c) { return bytes_of_color(bgr(c)); }},
     {{"the channels of the whole picture are in the wrong order: green, blue, red", in_order},
-     [](const Rgb& c) {
-       return bytes_of_color({c.g, c.b, c.r});
-     }},
+     [](const Rgb& c) { return bytes_of_color(gbr(c)); }},
     {{"the channels of the whole picture are in the wrong order: blue, red, green", in_order},
-     [](const Rgb& c) {
-       return bytes_of_color({c.b, c.r, c.g});
-     }},
+     [](const Rgb& c) { return bytes_of_color(brg(c)); }},
     {{"black: nothing was drawn", "the color of each ray in its pixel"},
      [](const Rgb&) { return Rgb8{}; }},
     {{"white: every channel of every pixel is 255", "`byte / 255.0` or `255 * channel`, once"},

@@ -7,10 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "engine/compare/difference.hpp"
@@ -511,17 +508,19 @@ bool draws(const StageView& stage, const Image& right) {
   return off * 1000 <= stage.pixels.size();
 }
 
-std::string Words::of(const Image& drawn, const WrongPicture& right) {
-  for (const auto* known : {&stages(), &variants()}) {
-    for (const OnStage& on_stage : *known) {
-      if (on_stage.name != right.name) continue;
-      const auto [place, is_new] = stages_.try_emplace(right.name);
-      if (is_new) place->second = on_stage.view(on_stage.name, "");
-    }
+const OnStage* find_chapter(std::string_view name) {
+  for (const auto* chapters : {&stages(), &variants()}) {
+    const auto found = std::ranges::find(*chapters, name, &OnStage::name);
+    if (found != chapters->end()) return &*found;
   }
-  const auto known = stages_.find(right.name);
-  if (known != stages_.end()) {
-    const StageView& stage = known->second;
+  return nullptr;
+}
+
+std::string Words::of(const Image& drawn, const WrongPicture& right) {
+  if (const OnStage* chapter = find_chapter(right.name)) {
+    const auto [place, is_new] = stages_.try_emplace(right.name);
+    StageView& stage = place->second;
+    if (is_new) stage = chapter->view(chapter->name, "");
     const bool is_as_large = stage.width == drawn.width && stage.height == drawn.height;
     if (is_as_large && draws(stage, right.picture)) {
       const std::array<const StageView*, 1> alone{&stage};

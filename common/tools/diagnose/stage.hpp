@@ -14,7 +14,7 @@
 
 #include "engine/draw/render.hpp"
 #include "engine/files/text.hpp"
-#include "engine/run/prepared.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "option_slips.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/image.hpp"
@@ -304,5 +304,7 @@ constexpr OnStage on_stage(std::string_view name) {
 /// Those of chapters 04 and 07 to 12, which draw something else; ./course diagnose first tries
 /// without them.
 [[nodiscard]] const std::vector<OnStage>& variants();
+/// Of either list; null if the chapter cannot be viewed.
+[[nodiscard]] const OnStage* find_chapter(std::string_view name);
 
 }  // namespace texmap::slips

@@ -1,7 +1,6 @@
 // What wrong programs draw of chapters that are not on the stage: found by drawing them again, by
 // other options, with another texture or under another sky.
 #pragma once
-#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,7 +10,7 @@
 #include "engine/draw/develop.hpp"
 #include "engine/draw/sample_random.hpp"
 #include "engine/fast/prepared_scene.hpp"
-#include "engine/run/run_chapter.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "engine/run/sky_options.hpp"
 #include "option_slips.hpp"
 #include "stage.hpp"
@@ -158,17 +157,18 @@ void visit_variants(const StageView& stage, const Visit& visit) {
   // Whole pictures are drawn once, for all distances between the viewed pixels.
   constexpr bool is_quick = std::derived_from<Lesson, GathersLight>;
   int number = 0;
-  const auto draw = [&](const Slip& slip, const std::vector<std::string>& options,
-                        const auto& change_texture, const auto& draw_ready) {
+  const auto draw = [&]<class Drawn = Lesson>(const Slip& slip,
+                                              const std::vector<std::string>& options,
+                                              const auto& change, const auto& draw_ready) {
     const int own = number++;
     visit(slip, [&](int every) {
       const int drawn = is_quick ? every : lattice;
       Image& pixels = (*stage.drawn_before)[{own, drawn}];
       if (pixels.pixels.empty()) {
-        Ready<Lesson> ready(stage.chapter, options);
+        Ready<Drawn> ready(stage.chapter, options);
         ready.chosen.settings.quiet = true;
-        change_texture(ready.lesson);
-        build(ready.lesson, ready.chosen);
+        change(ready.lesson);
+        ready.build();
         pixels = draw_ready(ready, drawn);
       }
       if (drawn == every) return of_colors(stage, pixels, every);
@@ -205,13 +205,9 @@ void visit_variants(const StageView& stage, const Visit& visit) {
       });
     }
     for (const MirrorSlip& slip : of_mirrors) {
-      draw({slip.words, slip.change}, {}, as_it_is, [&](Ready<Lesson>&, int every) {
-        Ready<WithMirror<Lesson>> wrong(stage.chapter, {});
-        wrong.chosen.settings.quiet = true;
-        build(wrong.lesson, wrong.chosen);
-        wrong.lesson.direction = slip.direction;
-        return drawn_at(wrong, every);
-      });
+      draw.template operator()<WithMirror<Lesson>>(
+          {slip.words, slip.change}, {}, [&](auto& lesson) { lesson.direction = slip.direction; },
+          by_program);
     }
   }
 }
@@ -223,7 +219,7 @@ StageView view_colors(std::string_view chapter, const std::string& texture) {
   if (!texture.empty()) return stage;
   Ready<Lesson> ready(stage.chapter, {});
   ready.chosen.settings.quiet = true;
-  build(ready.lesson, ready.chosen);
+  ready.build();
   const Image pixels = drawn_at(ready, lattice);
   stage.width = ready.chosen.settings.width;
   stage.height = ready.chosen.settings.height;

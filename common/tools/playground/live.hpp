@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "engine/files/json.hpp"
-#include "engine/run/run_chapter.hpp"
+#include "engine/run/draw_lesson.hpp"
 #include "gathered.hpp"
 #include "texel_error.hpp"
 #include "what_a_ray_meets.hpp"

@@ -18,6 +18,7 @@
 #include "diagnose/slips.hpp"
 #include "diagnose/variants.hpp"
 #include "diagnose/wrong_program.hpp"
+#include "engine/run/measure.hpp"
 #include "support/pictures.hpp"
 
 using namespace texmap;
@@ -178,7 +179,7 @@ TEST_CASE("chapter 06: mistakes of the light and of the highlight have their wor
 TEST_CASE("what is drawn again at few pixels is what the program draws there") {
   const auto check = [](auto ready) {
     ready->chosen.settings.quiet = true;
-    build(ready->lesson, ready->chosen);
+    ready->build();
     const Image whole = Session(ready->chosen).draw(ready->lesson);
     for (const int every : {3, 30})
       CHECK(slips::drawn_at(*ready, every) == slips::pixels_of(whole, every));
@@ -190,7 +191,7 @@ TEST_CASE("what is drawn again at few pixels is what the program draws there") {
 
   Ready<chapter_10::Lesson> sheet("10_projections", {"--width", "300", "--height", "200"});
   sheet.chosen.settings.quiet = true;
-  build(sheet.lesson, sheet.chosen);
+  sheet.build();
   Session session(sheet.chosen);
   Image whole;
   session.taken = &whole;
