@@ -107,7 +107,7 @@ function understand(  notes, quoted, n, i, header) {
   }
   said["static"] = message
   sub(/^static.assert(ion)? failed( due to requirement '[^']*')?[: ]*/, "", said["static"])
-  take_two("from", "to", notes, "(from|convert|conversion of|assigned) [a-z ]*'[^']*' to [a-z ]*'[^']*'")
+  take_two("from", "to", notes, "(from|convert|conversion of|assigned) [a-z ]*'[^']*' to [a-z -]*'[^']*'")
   take_two("to", "from", notes, "type '[^']*' (from expression|with an? [a-z]+|could not bind to an? [a-z]+) of type '[^']*'")
   take("counts", notes, "(expects|requires) [^,\n]*, [^\n]*provided", 0, 0)
   take("better", message, "did you mean '[^']*'", 14, 1)
@@ -146,7 +146,7 @@ NR == FNR {
 
 # The first error, or the first of a static_assert. g++ says before it, and clang++ after it, what led to it.
 /(^|: )(fatal )?error: |: undefined reference to / && !/ld returned|linker command/ {
-  is_read = !errors++ || (/static.assert/ && message !~ /static.assert/)
+  is_read = !errors++ || (/static.assert(ion)? failed/ && message !~ /static.assert/)
   if (is_read) {
     at = row = block = ""
     take_place($0)
@@ -155,7 +155,6 @@ NR == FNR {
     message = $0
     sub(/^.*(error|:[^ ]*[)]): /, "", message)
   }
-  led = ""
 }
 is_read { block = block "\n" $0 }
 is_read && /requested here/ || inside == "outside" && /to match this/ { take_place($0) }
