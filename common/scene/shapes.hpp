@@ -111,8 +111,10 @@ template <class Real>
 }
 
 /// One of several kinds of shape, for a list of objects with different shapes.
-template <Shape... Shapes>
+template <class... Shapes>
 struct AnyShape : std::variant<Shapes...> {
+  static_assert((Shape<Shapes> && ...),
+                "a shape has distance_to, hit_at and a const convex(): see the concept Shape");
   using std::variant<Shapes...>::variant;
 
   /// Calls `work` with the shape that this object has.

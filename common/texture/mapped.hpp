@@ -11,7 +11,8 @@ template <class Mapping, class AnyHit>
 [[nodiscard]] auto uv_at(const Mapping& mapping, const AnyHit& hit) {
   constexpr bool takes_hit = requires { mapping(hit); };
   constexpr bool on_normal = requires { mapping(hit.normal); };
-  static_assert(takes_hit || on_normal, "a mapping cannot be called in this number, see AnyOf");
+  static_assert(takes_hit || on_normal,
+                "a mapping takes a Hit<Real> or its normal, a Vec3<Real>: is it const? See AnyOf");
   if constexpr (takes_hit) {
     return mapping(hit);
   } else {
@@ -20,8 +21,7 @@ template <class Mapping, class AnyHit>
 }
 
 /// A paint in two parts: a mapping to (u, v), a texture from (u, v) to a color.
-/// To add a mapping, write a struct that maps a direction (Vec3) to a Uv, or a whole Hit where the
-/// direction is not enough; a texture maps a Uv to a Color.
+/// To add one, map a direction (Vec3) or a whole Hit to a Uv; for a texture, map a Uv to a Color.
 template <class Mapping, class Texture>
 struct Mapped {
   Mapping mapping;

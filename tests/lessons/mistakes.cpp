@@ -177,6 +177,70 @@ struct Lesson : LessonHooks, Base {
     return FilteredTexture{}(Uv<Real>{ray.direction.x, ray.direction.y});
   }
 };
+#elif MISTAKE == 23
+struct Lesson : LessonHooks {
+  static constexpr About about{.idea = "a color that is not returned"};
+  Stage stage;
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    static_cast<void>(stage.sky(ray));
+  }
+};
+#elif MISTAKE == 24
+class Lesson : LessonHooks, Base {
+ public:
+  static constexpr About about{.idea = "a class, so that its base is private"};
+};
+#elif MISTAKE == 25
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.size = {80, 60}};
+};
+#elif MISTAKE == 26
+struct Lesson : LessonHooks, Base {
+  About about{.idea = "of each lesson, not of all"};
+};
+#elif MISTAKE == 27
+struct Lesson : PathLesson, Base {
+  static constexpr About about{.idea = "a path to a direction"};
+  template <class Real>
+  auto operator()(const auto&, const PixelPlace<Real>& at, auto&) const {
+    return Vec3<Real>{at.column, at.row, Real(0)};
+  }
+};
+#elif MISTAKE == 28 || MISTAKE == 29
+struct Disk {
+  Point center{};
+};
+template <class Real>
+Real distance_to(const Disk& disk, const Ray<Real>& ray) {
+  return length(number_cast<Real>(disk.center) - ray.origin);
+}
+template <class Real>
+Hit<Real> hit_at(const Disk&, const Ray<Real>& ray, const Real& distance) {
+  return {.normal = ray.direction, .point = ray.direction * distance};
+}
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a shape without convex()"};
+#if MISTAKE == 28
+  std::vector<Painted<Solid, Disk>> objects;
+#else
+  std::vector<Painted<Solid, AnyShape<Sphere<>, Disk>>> objects;
+#endif
+};
+#elif MISTAKE == 30
+struct Upward {
+  template <class Real>
+  Uv<Real> operator()(const Vec3<Real>& normal) {
+    return {normal.x, normal.z};
+  }
+};
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "a mapping that is not const"};
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return Mapped<Upward, FilteredTexture>{}(Hit<Real>{.normal = ray.direction});
+  }
+};
 #elif MISTAKE <= 10
 struct Lesson : LessonHooks, Base {
 #if MISTAKE == 8

@@ -65,7 +65,7 @@ if(TAKES_GNU_OPTIONS)
   set(misspelt_hook "biuld.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|biuld.*override")
   set(misspelt_fact "no non-static data member named .*idae|field designator 'idae'")
   set(no_hooks "a lesson begins with")
-  set(no_facts "a lesson says what it is about")
+  set(no_facts "a lesson is a struct that says what it is about")
   set(call_that_is_not_const "a lesson is called with a Ray<Real>, from many threads.*is its operator.. const")
   set(vector_as_color "an object's color must be a Color<Real>: of a Vec3 p it is")
   set(texture_of_numbers "a texture .* returns no Color<Real> such as gray.x.")
@@ -84,6 +84,14 @@ if(TAKES_GNU_OPTIONS)
   set(paths_without_objects "a PathLesson has a list of Painted<Paint> in .objects.")
   set(ray_for_a_path "a PathLesson is called with a scene, a PixelPlace<Real> and random numbers")
   set(filter_without_case "enumeration value .?.?.?cubic.* not handled in switch")
+  set(color_not_returned "no return statement in function returning non-void|non-void function does not return a value")
+  set(private_base "${no_hooks}")
+  set(no_idea "${no_facts}")
+  set(facts_of_each "${no_facts}")
+  set(path_to_a_vector "a PathLesson is called with .* returns a Color<Real>")
+  set(shape_without_convex "a shape has distance_to, hit_at and a const convex")
+  set(one_of_shapes_without_convex "${shape_without_convex}")
+  set(mapping_that_is_not_const "a mapping takes a Hit<Real> or its normal")
   file(READ "${CMAKE_SOURCE_DIR}/common/texture/filters.hpp" filters)
   string(REPLACE "  nearest, " "  cubic,\n  nearest, " filters "${filters}")
   file(CONFIGURE OUTPUT filter_without_case/texture/filters.hpp CONTENT "${filters}" @ONLY)
@@ -91,13 +99,14 @@ if(TAKES_GNU_OPTIONS)
   foreach(mistake misspelt_hook misspelt_fact no_hooks no_facts call_that_is_not_const vector_as_color texture_of_numbers
       branch_in_packs branch_in_intervals wave_in_intervals forgotten_build no_call no_stage hook_of_another options_of_nobody group_without_declare
       paint_without_call mapping_to_a_number paths_without_objects ray_for_a_path shape_without_distance
-      filter_without_case)
+      filter_without_case color_not_returned private_base no_idea facts_of_each path_to_a_vector shape_without_convex
+      one_of_shapes_without_convex mapping_that_is_not_const)
     math(EXPR number "${number} + 1")
     foreach(build TEXMAP_LEARN ALL_NUMBERS)
       if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
         continue()
       endif()
-      add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -Wfatal-errors -Werror=switch
+      add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -Wfatal-errors -Werror=switch -Werror=return-type
         -D${build} "-I${CMAKE_CURRENT_BINARY_DIR}/${mistake}" "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp"
         WITH PASS_REGULAR_EXPRESSION "${${mistake}}")
     endforeach()

@@ -156,10 +156,11 @@ template <class Real, class Lesson, class Paint>
   const auto scene = prepare_scene<Real>(view, objects, lesson.stage.sky);
   const auto sky_alone = scene.without_objects();
   static_assert(
-      requires(PixelPlace<Real> at, SampleRandom<Real> random) { lesson(scene, at, random); },
-      "a PathLesson is called with a scene, a PixelPlace<Real> and random numbers: its operator() "
-      "is "
-      "that of chapter 07");
+      requires(PixelPlace<Real> at, SampleRandom<Real> random) {
+        { lesson(scene, at, random) } -> std::same_as<Color<Real>>;
+      },
+      "a PathLesson is called with a scene, a PixelPlace<Real> and random numbers, and returns a "
+      "Color<Real>: its operator() is that of chapter 07");
   GrowingFilm film(view.width, view.height, sampler, settings);
 
   const auto paths_in = [&](const auto& seen) {

@@ -1,7 +1,7 @@
 // What a lesson says about itself, and its hooks.
 #pragma once
 #include <functional>
-#include <initializer_list>
+#include <vector>
 
 namespace texmap {
 
@@ -48,11 +48,11 @@ struct About {
 
 /// The groups of options that a lesson offers, in this order.
 struct Groups {
-  std::function<void(Offer&)> declare = [](Offer&) {};
-
-  Groups() = default;
+  std::vector<const void*> members;  ///< their places
+  std::function<void(Offer&)> declare;
   template <class... Group>
-  Groups(Group&&... groups) : declare([&](Offer& offer) { (groups.declare(offer), ...); }) {
+  Groups(Group&&... groups)
+      : members{&groups...}, declare([&](Offer& offer) { (groups.declare(offer), ...); }) {
     static_assert((std::is_lvalue_reference_v<Group> && ...),
                   "`options` names groups that are members of the lesson");
   }

@@ -1,6 +1,7 @@
 // A lesson and what its user chose: the verbs read and build.
 #pragma once
 #include <concepts>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -48,7 +49,16 @@ template <class Lesson>
               .surfaces = HasSurfaces<Lesson>,
               .extremes = HasMovableScene<Lesson>,
               .one_number = !all_numbers};
-  lesson.options().declare(offer);
+  const Groups groups = lesson.options();
+  for (const void* member : groups.members) {
+    if (std::less<>()(member, &lesson) || !std::less<>()(member, &lesson + 1))
+      throw std::logic_error("`options` names groups that are members of the lesson");
+  }
+  groups.declare(offer);
+  if constexpr (std::derived_from<Lesson, GathersLight>) {
+    if (offer.no_intervals.empty())
+      throw std::logic_error("a PathLesson names `sampling` in `options`: its samples, its lens");
+  }
   return offer;
 }
 

@@ -22,11 +22,11 @@ concept HasOtherShapes = requires(const Lesson& lesson) {
 ///                 operator()(Ray) that returns a Color; a PathLesson has one for a sample's path
 template <class Lesson>
 [[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
-  static_assert(std::is_base_of_v<LessonHooks, Lesson>,
+  static_assert(std::derived_from<Lesson, LessonHooks>,
                 "a lesson begins with `struct Lesson : LessonHooks`");
   static_assert(
-      requires { Lesson::about.idea; },
-      "a lesson says what it is about: static constexpr About about{.idea = ...}");
+      requires { requires std::bool_constant<(*Lesson::about.idea != 0)>::value; },
+      "a lesson is a struct that says what it is about: static constexpr About about{.idea = ...}");
   static_assert(
       std::derived_from<Lesson, SheetLesson> || requires(Lesson lesson) { lesson.stage.camera; },
       "a lesson has a member `stage`, with a camera");
@@ -36,6 +36,13 @@ template <class Lesson>
   static_assert(!std::derived_from<Lesson, GathersLight> || HasSpheres<Lesson>,
                 "light is gathered from spheres alone: a PathLesson has a list of Painted<Paint> "
                 "in `objects`. Other shapes are for lessons like those of 01 to 06");
+  static_assert(
+      !HasOtherShapes<Lesson> ||
+          requires(const Lesson& lesson) {
+            { lesson.objects.front().shape } -> Shape;
+          },
+      "a shape has distance_to, hit_at and a const convex(), as scene/shapes.hpp says: one of them "
+      "is missing. What is derived from Sphere has its own");
   expect_little_memory();
   CommandLine line(chapter, Lesson::about.idea);
   return run_guarded(line, [&] {
