@@ -25,6 +25,17 @@ std::string not_empty(std::string_view typed, const std::string& refusal) {
   return std::string(typed);
 }
 
+/// Whether one of the first words is among the others; each list has | between its words.
+bool share_a_word(std::string_view words, std::string_view others) {
+  const auto between = [](std::string_view text) { return std::string("|").append(text) += '|'; };
+  const std::string listed = between(others);
+  for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end + 1) {
+    end = std::min(words.find('|', begin), words.size());
+    if (listed.find(between(words.substr(begin, end - begin))) != listed.npos) return true;
+  }
+  return false;
+}
+
 void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_str(), stderr); }
 
 /// Called when there is not even the memory to throw an exception.
@@ -66,6 +77,8 @@ CommandLine::CommandLine(std::string program, std::string purpose)
 
 void CommandLine::add(std::string_view name, std::string_view placeholder, std::string_view help,
                       const std::string& preset, const Read& read) {
+  if (!name.starts_with("--"))
+    throw std::logic_error("an option begins with --: write --" + std::string(name));
   const auto same = std::find_if(options_.begin(), options_.end(),
                                  [name](const Option& option) { return option.name == name; });
   if (same == options_.end()) {
@@ -74,8 +87,8 @@ void CommandLine::add(std::string_view name, std::string_view placeholder, std::
     return;
   }
   const auto has_words = [](std::string_view text) { return text.find('|') != text.npos; };
-  if (same->placeholder == placeholder || !has_words(same->placeholder) ||
-      !has_words(placeholder)) {
+  if (!has_words(same->placeholder) || !has_words(placeholder) ||
+      share_a_word(placeholder, same->placeholder)) {
     throw std::logic_error("the option " + same->name +
                            " is declared twice: each needs a name of its own, such as `.option = "
                            "\"--clouds\"` of a second TextureFile");

@@ -71,7 +71,7 @@ TEST_CASE("two groups may give one option words: each reads its own, and all are
   }
 }
 
-TEST_CASE("a name that is declared twice is an error of the program, unless both have words") {
+TEST_CASE("a name that is declared twice is an error, unless both have words, and other ones") {
   Fruit fruit;
   const auto twice = [&](const auto& declare) {
     CommandLine line = line_for(fruit);
@@ -82,8 +82,15 @@ TEST_CASE("a name that is declared twice is an error of the program, unless both
   twice([&](CommandLine& line) { line.text("--count", "FILE", fruit.name, "another kind"); });
   twice([&](CommandLine& line) { line.flag("--color", fruit.ripe, "another kind"); });
   twice([&](CommandLine& line) {
-    line.choice<int>("--color", fruit.color, {{"red", 1}, {"green", 2}}, "again");
+    line.choice<int>("--color", fruit.color, {{"blue", 1}, {"green", 2}}, "again");
   });
+}
+
+TEST_CASE("an option that does not begin with -- is an error of the program") {
+  CommandLine line("fruit", "counts fruit");
+  bool ripe = false;
+  for (const char* name : {"ripe", "-ripe"})
+    CHECK_THROWS_AS(line.flag(name, ripe, "it is"), std::logic_error);
 }
 
 TEST_CASE(
