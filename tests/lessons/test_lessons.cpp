@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include "02_checkerboard_uv/lesson.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
 #include "engine/run/run_chapter.hpp"
 #include "scene/phong.hpp"
 #include "support/temporary_folder.hpp"
@@ -22,10 +23,25 @@ struct Convex : Cylinder {  // as if copied from a rectangle
   [[nodiscard]] static constexpr bool convex() { return true; }
 };
 
+/// A wall before the camera, with a fault in its distance or in its hit.
+struct Wall {
+  double behind = 1, length = 1, lift = 1e-9;
+
+  [[nodiscard]] static constexpr bool convex() { return false; }
+};
+double distance_to(const Wall& wall, const Ray<double>& ray) {
+  const double t = -ray.origin.z / ray.direction.z;
+  return t > 0 ? t * wall.behind : infinity<double>();
+}
+Hit<double> hit_at(const Wall& wall, const Ray<double>& ray, double distance) {
+  const Point point = ray.origin + ray.direction * distance;
+  return {{0, 0, wall.length}, point, point + Vec3d{0, 0, wall.lift}};
+}
+
 using Picture = Mapped<RtiowMapping, Checkerboard>;
 using Label = Mapped<CylinderMapping, Checkerboard>;
 using Paint = AnyOf<Solid, Picture, Label>;
-using AShape = AnyShape<Sphere<>, Cylinder, Rectangle, Convex>;
+using AShape = AnyShape<Sphere<>, Cylinder, Rectangle, Convex, Wall>;
 
 struct SecondLesson : LessonHooks {
   static constexpr About about{.idea = "a second object", .numbers = Numbers::only_double};
@@ -57,4 +73,33 @@ TEST_CASE("a picture that normals place is refused on a can; so is a can that sa
   CHECK_NOTHROW(check_with(Rectangle{.up = {0, 1, 1}}, Label{}));
   const test::TemporaryFolder folder;
   CHECK(status_of<SecondLesson>(folder / "can.png") == 1);
+}
+
+TEST_CASE("a shape is refused whose hits are behind the eye, turned away, or not lifted") {
+  CHECK_NOTHROW(check_with(Wall{}, Solid{}));
+  const auto refused = [](const Wall& wall, const char* why) {
+    CHECK_THROWS_WITH_AS(check_with(wall, Solid{}), doctest::Contains(why), std::logic_error);
+  };
+  refused({.behind = -1}, "not ahead of the ray");
+  refused({.length = 3}, "length is not 1");
+  refused({.length = -1}, "does not face the ray");
+  for (const double lift : {0.0, -1e-9, 5.0, std::nan("")}) refused({.lift = lift}, "`outside`");
+}
+
+TEST_CASE("a lesson is refused whose options are not its own, or that forgets its samples") {
+  struct Elsewhere : chapter_02::Lesson {
+    Groups options() override {
+      TextureFile texture{"earth.png"};
+      return {texture};
+    }
+  };
+  struct Forgets : chapter_07::Lesson {
+    Groups options() override { return {texture}; }
+  };
+  const auto refused = [](auto lesson, const char* why) {
+    CommandLine line("lesson", "");
+    CHECK_THROWS_WITH_AS((void)offer_of(lesson, line), doctest::Contains(why), std::logic_error);
+  };
+  refused(Elsewhere{}, "groups that are members of the lesson");
+  refused(Forgets{}, "names `sampling` in `options`");
 }

@@ -34,8 +34,8 @@ template <class... Paints>
                     static_cast<const std::variant<Paints...>&>(any));
 }
 
-/// Errors: std::logic_error if a camera sees a shape that says that it is convex, and is not, or a
-/// picture placed by the normals of what is no sphere.
+/// Errors: std::logic_error if a camera sees a shape with wrong hits, one that says that it is
+/// convex, and is not, or a picture placed by the normals of what is no sphere.
 template <class Objects>
 void check_objects(const Objects& objects, const Camera& camera) {
   const auto refuse_if = [](bool refused, int index, const char* why) {
@@ -44,10 +44,20 @@ void check_objects(const Objects& objects, const Camera& camera) {
   const View<> view = view_of(camera, 96, 72);
   for (int i = 0; i < 4 * view.width * view.height; ++i) {
     const Ray<double> ray = ray_through<double>(view, i % view.width, i / view.width % view.height);
-    for_each_hit(objects, ray, find_nearest(objects, ray), [&](const auto& object, auto hit, bool) {
+    const Nearest<double> nearest = find_nearest(objects, ray);
+    for_each_hit(objects, ray, nearest, [&](const auto& object, auto hit, bool) {
       refuse_if(roundness(object.shape) == 0 && takes_normal(object.paint), hit.object,
                 "it is no sphere: place its picture by a mapping of the Hit, as CylinderMapping");
-      if (roundness(object.shape) == 2 || !object.shape.convex()) return;
+      if (roundness(object.shape) == 2) return;
+      const Vec3d lift = hit.outside - hit.point;
+      refuse_if(nearest.distance <= 0, hit.object, "its distance_to is not ahead of the ray");
+      refuse_if(!(abs(length(hit.normal) - 1) < 1e-6), hit.object, "its normal's length is not 1");
+      refuse_if(roundness(object.shape) == 0 && dot(hit.normal, ray.direction) > 0.01, hit.object,
+                "its normal does not face the ray");
+      refuse_if(
+          !(dot(lift, hit.normal) > 0) || length(lift) > 0.01 * length(hit.point - ray.origin),
+          hit.object, "`outside` of its hit_at does not lie close above its `point`");
+      if (!object.shape.convex()) return;
       const double u = 0.7548776662466927 * i, v = 0.5698402909980532 * i;  // Roberts' sequence
       const Vec3d onward = cosine_direction(hit.normal, Point2<double>{u - floor(u), v - floor(v)});
       refuse_if(distance_to(object.shape, Ray<double>{hit.outside, onward}) < infinity<double>(),

@@ -1,5 +1,6 @@
 // A lesson and what its user chose: the verbs read and build.
 #pragma once
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <limits>
@@ -56,7 +57,7 @@ template <class Lesson>
   }
   groups.declare(offer);
   if constexpr (std::derived_from<Lesson, GathersLight>) {
-    if (offer.no_intervals.empty())
+    if (std::count(groups.members.begin(), groups.members.end(), &lesson.sampling) == 0)
       throw std::logic_error("a PathLesson names `sampling` in `options`: its samples, its lens");
   }
   return offer;
