@@ -7,7 +7,7 @@
 
 namespace texmap {
 
-/// How light from the sky is found at a matte surface.
+/// How a matte surface finds light in the sky. To add one, name it here and in sky_options.cpp.
 enum class SkyLighting {
   uniform,       ///< directions from the whole sphere, all equally likely
   cosine,        ///< likely where Lambert's cosine is large

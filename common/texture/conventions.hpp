@@ -5,8 +5,8 @@
 
 namespace texmap {
 
-/// Where (0, 0) is and which way u and v run. To add one, name it here: the compiler asks for the
-/// rest.
+/// Where (0, 0) is and which way u and v run. To add one, name it here, and its word in
+/// engine/run/options.cpp: the compiler asks for the rest.
 enum class Convention {
   daily,    ///< the daily exercise: u runs west from -x, v down from the north pole
   rtiow,    ///< One Weekend 2020 and Next Week: u runs east from -x, v up from the south pole

@@ -37,6 +37,7 @@ class GrowingFilm {
         second_(sampler.samples() - first_),
         differences_(static_cast<std::size_t>(height)) {}
 
+  /// How many samples each half has.
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int second() const { return second_; }
   [[nodiscard]] FilmRows rows(int begin, int end) const {
@@ -163,6 +164,7 @@ template <class Real, class Lesson, class Paint>
       "Color<Real>: its operator() is that of chapter 07");
   GrowingFilm film(view.width, view.height, sampler, settings);
 
+  // What gather_pixels wants: from a place to the function that follows one sample's path there.
   const auto paths_in = [&](const auto& seen) {
     return [&](const Real& column, const Real& row) {
       return [&, column, row](auto& random) {

@@ -6,7 +6,7 @@
 
 namespace texmap {
 
-/// The numbers that a picture can be drawn with.
+/// A picture's numbers. A new one has its place in number_names.hpp, chosen.cpp and run_in_number.
 enum class NumberKind {
   float_,       ///< 24 significant bits
   double_,      ///< 53

@@ -49,6 +49,7 @@ SharedImage TextureFile::load(int later_bytes) {
 
 void LayoutOptions::declare(Offer& offer) {
   CommandLine& line = offer.line;
+  // A new convention also has a row in chapter 04's conventions_compared.cpp.
   line.choice<Convention>("--convention", convention,
                           {{"daily", Convention::daily},
                            {"rtiow", Convention::rtiow},
