@@ -375,7 +375,14 @@ class Folders(Course):
                 ('03.png|04.png|screenshot 03.png|old_03_image_texture.png|globe 03.png',
                  'class||03.png,04.png'),
                 ('ada/03_image_texture - Copy.png|ada/old_03.png', 'ada||Copy.png'),
-                ('Doe, Jane(jd)/Submission attachment(s)/03.png|Roe, Max(mr)/timestamp.txt',
+                # e-mails of several students; ILIAS, whose names begin with a time
+                ('mail/2026-11-20 Jane Doe/03.png|mail/Re_ work - Max/03.png',
+                 '2026-11-20 Jane Doe||03.png; Re_ work - Max||03.png'),
+                ('Doe_Jane_7/20261121101010_03.png|Doe_Jane_7/20261120101010_03.png|roe/03.png|'
+                 'roe/work (2)/03.png|roe/work (10)/03.png',
+                 'Doe_Jane_7||20261121101010_03.png 2; roe||work (10)/03.png 3'),
+                ('Doe, Jane(jd)/Submission attachment(s)/03.png|Roe, Max(mr)/timestamp.txt|'
+                 'Doe, Jane(jd)/Feedback Attachment(s)/03.png',
                  'Doe, Jane|jd|03.png; Roe, Max|mr|')]:
             with self.subTest(paths):
                 shutil.rmtree(self.at / 'class', ignore_errors=True)
@@ -442,6 +449,14 @@ for name; do :; done
             unpacked.cache_clear()
             found, _ = find_submissions([f'{self.at}/nested'], [GLOBE])
             self.assertEqual([one.seen for one in found], [seen])
+        # what one student hands in does not make the class unreadable; no work is lost in silence
+        (self.at / 'bad.zip').write_bytes(zip_of({
+            'ada/03.png': RIGHT, 'ada/03.png/03.png': '', f'bob/{"王" * 99}03.png': RIGHT,
+            f'eve/{"a/" * 2100}03.png': RIGHT, 'jo/w.zip': zip_of({
+                'a/w.zip': zip_of({'b/c/03.png': RIGHT})})}))
+        found, _ = find_submissions([f'{self.at}/bad.zip'], [GLOBE])
+        self.assertEqual([(one.name, len(one.pictures), one.why[:6]) for one in found], [
+            ('ada', 1, ''), ('bob', 1, ''), ('eve', 0, 'a: no '), ('jo', 1, '')])
         self.put({'class.zip': zip_of({
             'müllerjörg_1_11_03.png': RIGHT, 'doejane_2_12_work.zip': inner,
             'liwei_3_13_03.png': 'x', 'smithann_4_14_broken.zip': 'PK',

@@ -31,7 +31,7 @@ from results import clean, counted, nfc, shown_name
 MOST_LEVELS, MOST_ENTRIES, MOST_BYTES, MOST_ARCHIVES = 3, 20000, 1 << 28, 3
 # Folders in which no student's pictures lie, but perhaps other ones of the same names.
 PASSED_OVER = ('__macosx', 'assets', 'build', 'cmake-build-debug', 'common', 'docs', 'node_modules',
-               'tests', 'working files')
+               'tests', 'working files', 'feedback attachment(s)')
 # The one folder that a site, or a student, packs all in.
 PACKING = re.compile(
     'bilder|homework|hw|images|pictures|png|screenshots|.*-(main|master)|.*(texmap|texture).*')
@@ -39,6 +39,8 @@ PACKING = re.compile(
 VERSION = re.compile(r'(?:version|versi[oó]n|versjon|attempt|versuch|abgabe|tentative|'
                      r'intento|forsøk|v|版本|提交)[ _-]*\d{1,4}|'
                      r'\d{4}-\d\d?-\d\d?(\D.*)?', re.I)
+# Not so if it is one of several students': "2026-11-20 Jane Doe" of an e-mail.
+DATE_AND_NAME = re.compile(r'[\d-]{8,}\W+(?:[^\W\d_]{2,}\W+[^\W\d_]{2}|[^\W\x00-\xff])')
 # The sign of a file that is there again: "03 (2).png" of browsers and drives, "03_v2.png".
 AGAIN = r'(?: ?\((\d{1,3})\)|[ _-]v(\d{1,3}))'
 # What is in a name beside its student: CHAPTER stands for a chapter's own name, NUMBER for its
@@ -186,6 +188,12 @@ def copied(source, made, left):
     return left
 
 
+def short_name(part):
+    """The name of a file or folder, without its middle if a file system has no room for it."""
+    name = os.fsencode(part)
+    return part if len(name) <= 255 else (name[:200] + name[-50:]).decode(errors='ignore')
+
+
 @functools.cache
 def unpacked(path):
     """The folder with what is of use in an archive; of other files it has the names. None if it
@@ -209,18 +217,17 @@ def unpacked(path):
             if room[1] < 0 or not parts or any(is_passed_over(part) and part != 'common'
                                                for part in parts):
                 continue
-            target = Path(folder, *parts)
-            if name.endswith('/'):
-                target.mkdir(parents=True, exist_ok=True)
-                continue
-            target.parent.mkdir(parents=True, exist_ok=True)
-            if not re.search(r'\.(png|jpe?g|[hc]pp|[hc]|in[cl]|txt|yml)$',
-                             name.lower()) and not ARCHIVE.search(name):
-                target.touch()
-                continue
-            with source() as packed, open(target, 'wb') as made:
-                room[0] = copied(packed, made, room[0])
-            os.utime(target, (when, when))
+            target = Path(folder, *map(short_name, parts[:20] + parts[20:][-1:]))
+            # a file and a folder of the same name: the first of them is there
+            with contextlib.suppress(FileExistsError, NotADirectoryError, IsADirectoryError):
+                (target if name.endswith('/') else target.parent).mkdir(parents=True, exist_ok=True)
+                if re.search(r'\.(png|jpe?g|[hc]pp|[hc]|in[cl]|txt|yml)$',
+                             name.lower()) or ARCHIVE.search(name):
+                    with source() as packed, open(target, 'wb') as made:
+                        room[0] = copied(packed, made, room[0])
+                    os.utime(target, (when, when))
+                else:
+                    target.touch()
     except (OSError, EOFError, OverflowError, RuntimeError, ValueError, tarfile.TarError,
             zipfile.BadZipFile, zlib.error, lzma.LZMAError):
         return None
@@ -338,6 +345,7 @@ class Search:
         self.others = []  # of other files
         self.known = False  # whether a picture fits any chapter
         self.code = ''  # the first file of code outside a chapter
+        self.deeper = ''  # the first folder that is not read
         self.look_into(entries, folder, 0, levels)
 
     def look_into(self, entries, folder, level, levels, when=()):
@@ -363,14 +371,19 @@ class Search:
         if holds_chapters and not self.checkouts:
             self.checkouts.append((when, folder))
         for part in below:
-            version = VERSION.fullmatch(part.name)
-            if (level < levels or version) and (
-                    not self.checkouts or version or part.when or when):
-                self.look_into(entries_of(part.path), part.path, level + (not version), levels,
+            version = VERSION.fullmatch(part.name) or re.search(f'{AGAIN}$', part.name, re.I)
+            is_level = not version and part.path == os.path.join(folder, part.name)  # no archive
+            if is_level and level == levels:
+                self.deeper = self.deeper or part.name
+            elif not self.checkouts or version or part.when or when:
+                self.look_into(entries_of(part.path), part.path, level + is_level, levels,
                                (part.when or when) + (time_of(part.name) if version else ()))
 
     def take_picture(self, entry, level, when):
         stem, ending = os.path.splitext(entry.name)
+        stamp = re.match(r'(20\d{12})_(?=.)', stem)  # ILIAS's: 20261120134507_03.png
+        if stamp:
+            stem, when = stem[stamp.end():], (*when, int(stamp[1]))
         is_jpeg = ending.lower() in ('.jpg', '.jpeg')
         if ending.lower() in ('.bmp', '.ppm', '.gz') or ARCHIVE.search(entry.name):
             why = f': {WHY_NOT[entry.path]}' if entry.path in WHY_NOT else ''
@@ -414,6 +427,8 @@ class Search:
             return self.what_else() + (
                 ': no name or number of a chapter, or several' if self.seen
                 and not self.code and not ARCHIVE.search(self.seen[0].partition(',')[0]) else '')
+        if self.deeper and not self.others:
+            return f'{clean(shown_name(self.deeper))}: no folder as deep as this one is read'
         return ', '.join(clean(shown_name(name)) for name in self.others[:3]) + (
             ': no picture and no code' if self.others else '')
 
@@ -599,8 +614,9 @@ class Level:
                       and (part.is_folder or os.path.isdir(part.path)) and not (
                           part.name.lower() in ('out', 'chapters', *(
                               item.name.lower() for item in chapters.known))
-                          or is_passed_over(part.name) or VERSION.fullmatch(part.name)
-                          or chapters.is_chapter(part))]
+                          or is_passed_over(part.name) or chapters.is_chapter(part)
+                          or VERSION.fullmatch(part.name) and not (
+                              each or DATE_AND_NAME.match(part.name)))]
         self.with_work = [part for part in self.below if part.is_folder and Search(
             chapters, entries_of(part.path), MOST_LEVELS, part.path).has_work()]
         unread = [part for part in entries if ARCHIVE.search(part.name) and not part.is_folder
