@@ -544,6 +544,7 @@ for name; do :; done
                 (['王小明/03.png', 'ada/03.png'],
                  '姓,名,学号\n王,小明,9\n'.encode('gb18030'), '',
                  '王小明 9; ada '),
+                (['ada b/03.png'], 'Nachname, Vorname;ID\n"B, Ada";1\nC, Jo;2\n', '', 'Ada B 1'),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '', 'has: Matrikel, Wer. Heads such as '),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '--columns id=Matrikel,name=Wer',
                  'ada 1')]:
@@ -588,6 +589,11 @@ for name; do :; done
         self.assertIn('  report (77): 03 the newest of 2: 3 (2).png\n', self.ended.stdout)
         self.assertIn('  00 (5): IMG.png: no name', self.ended.stdout)
         self.assertLess(self.ended.stdout.count('\n'), 12)
+        # a class list of which nobody is in the class, as its column of names is not known
+        self.put({'list.csv': 'Naam,ID\nreport,77\n'})
+        self.grade('class', '--dry-run', '--chapters', '3', '--class-list', 'list.csv', status=3)
+        self.assertIn("31 students are not in the class list. Its first one is read as name '', id "
+                      "'77': --columns", self.ended.stdout)
         # what one student has of another chapter is understood
         self.put({'one/4.png': ''})
         self.grade('one', '--dry-run', '--chapters', '3')

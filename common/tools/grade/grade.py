@@ -237,11 +237,13 @@ class Grading:
                                                      self.options.one, self.options.each)
         if self.submissions:
             print(what_was_read(self.submissions), flush=True)
+        self.not_understood = []
         if self.options.class_list and self.submissions:
-            remarks += people.join_class_list(self.options.class_list, self.submissions, chapters,
-                                              self.options.columns)
+            more, self.not_understood = people.join_class_list(
+                self.options.class_list, self.submissions, chapters, self.options.columns)
+            remarks += more
         tell_apart(self.submissions)
-        self.not_understood = [] if self.options.one else not_understood(self.submissions)
+        self.not_understood += [] if self.options.one else not_understood(self.submissions)
         for line in shortened(self.not_understood)[:1 if self.options.dry_run else None]:
             print(clean(line), flush=True)
         for remark in remarks:

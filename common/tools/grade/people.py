@@ -8,7 +8,7 @@ import re
 import unicodedata
 from pathlib import Path
 
-from results import GradeError, clean, nfc
+from results import GradeError, clean, counted, nfc
 from submissions import Submission, search
 
 # How the exports of learning systems, and people, head the columns, without accents: in English,
@@ -26,12 +26,12 @@ HEADS = {
           '登录名?|登录id|id号|识别号|身份标识|'
           '(电子)?(邮件|邮箱)(地址)?|學號|使用者名稱|電子郵件',
     'name': 'student|name|person|full name|student name|display name|vollstandiger name|'
-            'vor- und nachname|nom|nom complet|nom et prenom|etudiant(.e)?|nombre|nombre completo|'
+            'vor- und nachname|nachname, ?vorname|last name, ?first name|nom|nom complet|nom et prenom|etudiant(.e)?|nombre|nombre completo|'
             'nombre y apellidos|apellidos y nombre|estudiante|alumno|navn|fullt navn|'
             '姓名|全名|学生|学生姓名|名字|名称|學生',
     'last': 'last ?name|surname|family name|last|nachname|familienname|nom d(e famille|.usage)|'
             'apellidos?|etternavn|姓|姓氏',
-    'first': 'first ?name|given name|first|vorname|prenom|prenoms|nombre de pila|fornavn|名',
+    'first': 'first ?names?|given names?|first|vorname|prenom|prenoms|nombre de pila|fornavn|名',
     'group': '(group|team)( ?name)?|groups|gruppen?|gruppenname|groupes?|equipe|grupos?|equipo|'
              'gruppenavn|小组|组|分组|小组名称|組',
     'chapter': 'chapter|exercise', 'points': 'points', 'note': 'note'}
@@ -106,7 +106,7 @@ def lines_of(path, needed, typed=''):
     for encoding in ('utf-16', ) if data[:2] in (b'\xff\xfe', b'\xfe\xff') else ENCODINGS:
         with contextlib.suppress(UnicodeError):
             text = data.decode(encoding)
-            comma = max(',;\t', key=text.count)
+            comma = max(';\t,', key=text.count)  # "Last name, First name;ID" has as many of two
             table = [[nfc(cell).strip() for cell in cells] for cells in csv.reader(
                 io.StringIO(text, newline=''), delimiter=comma)]
             heads = heads or next((cells for cells in table if any(cells)), [])
@@ -149,7 +149,8 @@ def name_ways(name):
 def join_class_list(path, submissions, chapters, columns=''):
     """Sets ids and persons from a class list: by id, then by name, if nobody else has that name. A
     group's work is that of each in it. Who has several submissions gets one. Adds who handed in
-    nothing. Says who these are, and who is not in the list."""
+    nothing. Says who these are, and who is not in the list; and, if most of both are so, that the list
+    was not understood."""
     people = lines_of(path, ['id', 'name', 'last first'], columns)
     names = {one: keys(one.person) for one in people}
 
@@ -205,13 +206,18 @@ def join_class_list(path, submissions, chapters, columns=''):
     unknown = [one for one in submissions if not joined.get(one)]
     missing = [person for person in people if person not in taken
                and not any(person in by_name[one] for one in unknown)]
+    alarm = []
+    if 2 * len(unknown) > len(submissions) and 2 * len(missing) > len(people):
+        alarm = [f'NOT UNDERSTOOD: {len(unknown)} of {counted(len(submissions), "student")} are not '
+                 f"in the class list. Its first one is read as name '{people[0].person}', id "
+                 f"'{people[0].cell('id')}': --columns names others"]
     submissions += [Submission('', person.person or person.cell('id'), 'the class list alone',
                                person.cell('id'), person.person,
                                'handed in nothing') for person in missing]
     return [f'{words}: ' + '; '.join(clean(f'{one.name} ({one.id})' if one.id else one.name)
                                      for one in found) for words, found in {
         'not in the class list, or there are several of the name': unknown,
-        'handed in nothing': submissions[len(submissions) - len(missing):]}.items() if found]
+        'handed in nothing': submissions[len(submissions) - len(missing):]}.items() if found], alarm
 
 
 def read_overrides(path, students, items):
