@@ -256,6 +256,14 @@ class Folders(Course):
                 ('ada/03.png bob/03.png 03_expected.png', 'class', 'ada bob', nobodys),
                 ('ada/03.png bob/03.png 03_expected.png', '--one class', 'class', ''),
                 ('ada/03.png', 'class', 'ada', ''), ('ada/03.png', '--class class', 'ada', ''),
+                # sections of a course, and what is none
+                (sections := 'A/ada/03.png A/bob/03.png B/eve/03.png B/jo/03.png C/li/03.png',
+                 'class', 'ada bob eve jo li', 'class is graded as a folder of classes; --class '
+                 "grades each folder in it as a student's\n"),
+                (sections, '--class class', 'A B C', ''),
+                ('A/a/03.png A/b/03.png B/a/03.png B/b/03.png', 'class', 'A B', ''),
+                ('A/a/03.png A/a_v2/03.png B/b/03.png B/b_v2/03.png', 'class', 'A B', ''),
+                ('A/a/03.png A/b/05.png B/c/03.png B/d/05.png', 'class', 'A B', ''),
                 ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''),
                 ('ada/out/03.png', 'class/ada', 'ada', ''),
                 ('03.png old/03.png', 'class', 'class', one.format('class')),
@@ -545,6 +553,7 @@ for name; do :; done
                  '姓,名,学号\n王,小明,9\n'.encode('gb18030'), '',
                  '王小明 9; ada '),
                 (['ada b/03.png'], 'Nachname, Vorname;ID\n"B, Ada";1\nC, Jo;2\n', '', 'Ada B 1'),
+                (['ada/03.png'], 'Name\n' + 'x' * 200000, '', 'has: . Heads'),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '', 'has: Matrikel, Wer. Heads such as '),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '--columns id=Matrikel,name=Wer',
                  'ada 1')]:

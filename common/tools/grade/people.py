@@ -104,7 +104,7 @@ def lines_of(path, needed, typed=''):
         raise GradeError(f'{clean(str(path))} is a spreadsheet: save it as CSV')
     heads = []
     for encoding in ('utf-16', ) if data[:2] in (b'\xff\xfe', b'\xfe\xff') else ENCODINGS:
-        with contextlib.suppress(UnicodeError):
+        with contextlib.suppress(UnicodeError, csv.Error):
             text = data.decode(encoding)
             comma = max(';\t,', key=text.count)  # "Last name, First name;ID" has as many of two
             table = [[nfc(cell).strip() for cell in cells] for cells in csv.reader(

@@ -617,8 +617,12 @@ class Level:
                           or is_passed_over(part.name) or chapters.is_chapter(part)
                           or VERSION.fullmatch(part.name) and not (
                               each or DATE_AND_NAME.match(part.name)))]
-        self.with_work = [part for part in self.below if part.is_folder and Search(
-            chapters, entries_of(part.path), MOST_LEVELS, part.path).has_work()]
+        found = {part.path: Search(chapters, entries_of(part.path), MOST_LEVELS, part.path)
+                 for part in self.below if part.is_folder}
+        self.with_work = [part for part in self.below
+                          if part.path in found and found[part.path].has_work()]
+        having = collections.Counter(item for search in found.values() for item in (
+            ['a checkout'] if search.checkout else search.candidates))
         unread = [part for part in entries if ARCHIVE.search(part.name) and not part.is_folder
                   and part.path not in taken]
         self.below += unread if self.with_work or len(unread) > 1 else []
@@ -631,6 +635,9 @@ class Level:
             return Search(chapters, [part for part in entries if part.path not in taken
                                      and part not in self.below], 1, entry.path)
         self.own = rest()
+        # several folders have the same chapter, and nothing lies next to them
+        self.may_be_class = max(having.values(), default=0) > 1 and not (
+            self.own.candidates or self.own.checkout)
         parts = self.with_work or self.below
         alone = len(parts) == 1 and not (self.named or self.own.candidates or self.own.checkout)
         self.only = parts[0] if alone and parts[0].is_folder else None
@@ -660,6 +667,17 @@ def students_in(chapters, folder, entry, single, one, each):
                   "each folder in it as a student's")
         is_unclear = single and not one and len(level.with_work) > bool(own.checkout)
         return [submission_of(chapters, entry, folder)], remark if is_unclear else ''
+    if single and not (each or named):  # sections of a course, each with its students
+        sections = [inner for inner in (Level(chapters, part, os.path.join(
+            level.shown, part.name)) for part in below if part.is_folder) if inner.may_be_class]
+        names = [re.sub(f'{AGAIN}$', '', part.name, flags=re.I)
+                 for inner in sections for part in inner.with_work]
+        if len(sections) > 1 and 2 * len(sections) > len(below) and (
+                4 * len(set(names)) > 3 * len(names)):
+            found = [student for part in below for student in students_in(
+                chapters, os.path.join(level.shown, part.name), part, True, False, False)[0]]
+            return found, (f"{clean(shown_name(folder))} is graded as a folder of classes; --class "
+                           "grades each folder in it as a student's")
     found = submissions_of_systems(chapters, level.shown, named)
     for part in level.with_work if named else below:
         shown = os.path.join(level.shown, part.name)
