@@ -462,6 +462,12 @@ for name; do :; done
             'ada/03.png': RIGHT, 'ada/03.png/03.png': '', f'bob/{"王" * 99}03.png': RIGHT,
             f'eve/{"a/" * 2100}03.png': RIGHT, 'jo/w.zip': zip_of({
                 'a/w.zip': zip_of({'b/c/03.png': RIGHT})})}))
+        with mock.patch.object(sys, 'platform', 'win32'):
+            (self.at / 'windows.zip').write_bytes(zip_of(
+                {'#### 7/03.png': RIGHT, 'J#rg/03.png': RIGHT}).replace(b'J#', b'J\x94').replace(
+                    b'####', '李雷'.encode('gbk')))
+        found, _ = find_submissions([f'{self.at}/windows.zip'], [GLOBE])
+        self.assertEqual([one.name for one in found], ['Jörg', '李雷 7'])
         found, _ = find_submissions([f'{self.at}/bad.zip'], [GLOBE])
         self.assertEqual([(one.name, len(one.pictures), one.why[:6]) for one in found], [
             ('ada', 1, ''), ('bob', 1, ''), ('eve', 0, 'a: no '), ('jo', 1, '')])

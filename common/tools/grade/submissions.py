@@ -134,9 +134,15 @@ def output_of(program, words, path, name=''):
 def members_of_zip(path, _):
     with zipfile.ZipFile(path) as packed:
         for info in packed.infolist():
-            # without this flag it is in UTF-8, too, if Apple's systems made it
-            name = info.filename if info.flag_bits & 0x800 else info.filename.encode(
-                'cp437').decode('utf-8', 'surrogateescape')
+            name = info.filename
+            if not info.flag_bits & 0x800:  # Apple's are in UTF-8, too, and Windows's in its own
+                raw = name.encode('cp437')
+                for code in ('utf-8', 'gb2312', 'cp850')[:1 if info.create_system else None]:
+                    with contextlib.suppress(UnicodeError):
+                        name = raw.decode(code)
+                        break
+                else:
+                    name = raw.decode('utf-8', 'surrogateescape')
             if info.external_attr >> 28 != 0o12:  # a link
                 yield name, time.mktime((*info.date_time, 0, 0, -1)), lambda: packed.open(info)
 
