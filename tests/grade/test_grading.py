@@ -261,9 +261,13 @@ class Folders(Course):
                  'class', 'ada bob eve jo li', 'class is graded as a folder of classes; --class '
                  "grades each folder in it as a student's\n"),
                 (sections, '--class class', 'A B C', ''),
+                (sections.replace('A/', 'A/1/').replace('B/', 'B/2/'), 'class/A class/B class/C',
+                 'ada bob eve jo li', ''),
                 ('A/a/03.png A/b/03.png B/a/03.png B/b/03.png', 'class', 'A B', ''),
                 ('A/a/03.png A/a_v2/03.png B/b/03.png B/b_v2/03.png', 'class', 'A B', ''),
                 ('A/a/03.png A/b/05.png B/c/03.png B/d/05.png', 'class', 'A B', ''),
+                ('A/work_v1/03.png A/work_v2/03.png B/old/03.png B/new/03.png', 'class/A class/B',
+                 'A B', ''),
                 ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''),
                 ('ada/out/03.png', 'class/ada', 'ada', ''),
                 ('03.png old/03.png', 'class', 'class', one.format('class')),

@@ -632,7 +632,10 @@ class Level:
         unread = [part for part in entries if ARCHIVE.search(part.name) and not part.is_folder
                   and part.path not in taken]
         self.below += unread if self.with_work or len(unread) > 1 else []
-        self.many = len(self.with_work) > 1
+        # the names of who may be students: "work (2)" is the work of the same one as "work"
+        self.names = [name for name in (re.sub(f'{AGAIN}$', '', part.name, flags=re.I)
+                                        for part in self.with_work) if not NOBODY.fullmatch(name)]
+        self.many = len(set(self.names)) > 1
         if not (self.named or self.many or each):
             self.named = named_by_others(chapters, entries)
             taken = {part.path for part, *_ in self.named}
@@ -661,6 +664,21 @@ def class_level(chapters, entry, shown):
     return inner if inner and (inner.many or inner.named) and not inner.own.checkout else level
 
 
+def students_in_sections(chapters, folders):
+    """The submissions in folders that are sections of a course, each with its students: most have
+    several folders with the same chapter, of other names than in the other sections. Else none."""
+    levels = [class_level(chapters, part, shown) for shown, part in folders.items()
+              if part.is_folder]
+    sections = [level for level in levels if level.may_be_class or level.named]
+    names = [name for level in sections
+             for name in {part['who'] for *_, part in level.named} or level.names]
+    if len(sections) < 2 or 2 * len(sections) <= len(folders) or (
+            4 * len(set(names)) <= 3 * len(names)):
+        return []
+    return [student for shown, part in folders.items()
+            for student in students_in(chapters, shown, part, True, False, False)[0]]
+
+
 def students_in(chapters, folder, entry, single, one, each):
     """The submissions in a folder that was named, and a remark."""
     level = class_level(chapters, entry, folder) if single and not (one or each) else Level(
@@ -673,17 +691,11 @@ def students_in(chapters, folder, entry, single, one, each):
                   "each folder in it as a student's")
         is_unclear = single and not one and len(level.with_work) > bool(own.checkout)
         return [submission_of(chapters, entry, folder)], remark if is_unclear else ''
-    if single and not (each or named):  # sections of a course, each with its students
-        sections = [inner for inner in (Level(chapters, part, os.path.join(
-            level.shown, part.name)) for part in below if part.is_folder) if inner.may_be_class]
-        names = [re.sub(f'{AGAIN}$', '', part.name, flags=re.I)
-                 for inner in sections for part in inner.with_work]
-        if len(sections) > 1 and 2 * len(sections) > len(below) and (
-                4 * len(set(names)) > 3 * len(names)):
-            found = [student for part in below for student in students_in(
-                chapters, os.path.join(level.shown, part.name), part, True, False, False)[0]]
-            return found, (f"{clean(shown_name(folder))} is graded as a folder of classes; --class "
-                           "grades each folder in it as a student's")
+    found = [] if each or named or not single else students_in_sections(
+        chapters, {os.path.join(level.shown, part.name): part for part in below})
+    if found:
+        return found, (f'{clean(shown_name(folder))} is graded as a folder of classes; --class '
+                       "grades each folder in it as a student's")
     found = submissions_of_systems(chapters, level.shown, named)
     for part in level.with_work if named else below:
         shown = os.path.join(level.shown, part.name)
@@ -708,8 +720,14 @@ def find_submissions(paths, chapters, one=False, each=False):
         chapters, [one for one in several if not one.is_folder])
     found, remarks = submissions_of_systems(chapters, os.path.dirname(paths[0]),
                                             [] if one else named), []
+    top = {path: entry for path, entry in top.items()
+           if one or not any(entry is part for part, *_ in named)}
+    classes = {} if one or each or len(paths) == 1 else {
+        path: entry for path, entry in top.items() if entry.is_folder}
+    in_sections = students_in_sections(chapters, classes)
+    found += in_sections
     for path, entry in top.items():
-        if not one and any(entry is part for part, *_ in named):
+        if in_sections and path in classes:
             continue
         if not entry.is_folder:
             remarks.append(f'skipped, not a folder: {clean(path)}'
