@@ -6,6 +6,7 @@ const std::vector<double> texmap::test::answers{188, 1398101};
 TEST_CASE("09: strangers' answers get their words") {
   repeated_column("below 0", [](int c, int w) { return c - c / w * w; });
   repeated_column("clamp", [](int c, int w) { return min(max(0, c), w - 1); });
+  repeated_column("one width is not enough", [](int c, int w) { return (c + 100 * w) % w; });
   repeated_column("one width is not enough", [](int c, int w) { return (c + w) % w; });
 
   using Film = std::vector<Color>;

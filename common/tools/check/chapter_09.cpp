@@ -113,7 +113,8 @@ Slips<int> wrong_columns(int column, int width) {
         {"& is right for a width of 2, 4, 8 and so on alone", column & (width - 1)}}},
       {"one width is not enough: columns far away are still outside the picture",
        {column >= width ? column - width : from_left, (column + width) % width,
-        column < 0 ? from_left : rest, column > width ? column - width : from_left}},
+        (column + 100 * width) % width, column < 0 ? from_left : rest,
+        column > width ? column - width : from_left}},
       {"column = width is column 0 again: subtract where column >= width", down},
       {"columns on one side stay there: take the rest, too", {column < 0 ? column : rest, up}},
       {"the picture is seen once, then its edge: that is clamp", clamp(column, 0, width - 1)},
@@ -135,6 +136,7 @@ constexpr Place<int, int> repeated_column_places[] = {
     {"column 70 of 8 is column 6", {70, 8}},
     {"column -70 of 8 is column 2", {-70, 8}},
     {"column -10 of 6 is column 2", {-10, 6}},
+    {"far away, column -100001 of 4 is column 3", {-100001, 4}},
 };
 
 using Frames = std::vector<Rgb>;
