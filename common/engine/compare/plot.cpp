@@ -127,7 +127,9 @@ std::string svg_of(const Plot& plot) {
       "{svg{filter:invert(1) hue-rotate(180deg)}.paper{fill:none}}</style>\n";
   svg += "<title>" + escaped_markup(plot.title) +
          "</title>\n<rect class=\"paper\" width=\"940\" height=\"600\" fill=\"#fff\"/>\n";
-  svg += "<text x=\"80\" y=\"30\" font-size=\"17\">" + escaped_markup(plot.title) + "</text>\n";
+  const double title_size = std::min(17.0, 1500 / static_cast<double>(plot.title.size() + 1));
+  svg += text("<text x=\"80\" y=\"30\" font-size=\"%.3g\">%s</text>\n", title_size,
+              escaped_markup(plot.title).c_str());
 
   // The axes, with a line of the grid at every mark.
   for (const double value : across.ticks()) {

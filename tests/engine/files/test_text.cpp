@@ -117,6 +117,9 @@ TEST_CASE("a plot has its titles, its series and its labels, escaped") {
   for (const char* part : {">a &lt; b<", ">time<", ">error<", ">dots &amp; more<", ">joined<",
                            ">first<", ">last<", ">the front<", "stroke-width=\"1.5\""})
     CHECK(svg.find(part) != std::string::npos);
+  CHECK(svg.find("font-size=\"17\">a &lt; b<") != std::string::npos);
+  plot.title = std::string(150, 'm');  // as wide as 10 pixels each would be: too wide
+  CHECK(svg_of(plot).find("font-size=\"9.93\">mmm") != std::string::npos);
 }
 
 TEST_CASE("series have dots, squares or triangles, and a label far from its point has a line") {
