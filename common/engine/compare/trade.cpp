@@ -41,6 +41,18 @@ const Way& fastest(const TradePart& part, const May& may) {
   return *best;
 }
 
+/// The words of the ways that no other one beats in both time and error.
+std::vector<std::string> front_of(const TradePart& part) {
+  std::vector<std::string> front;
+  for (const Way& way : part.ways) {
+    if (std::none_of(part.ways.begin(), part.ways.end(), [&way](const Way& other) {
+          return other.took.processor < way.took.processor && other.error <= way.error;
+        }))
+      front.push_back(way.words);
+  }
+  return front;
+}
+
 /// The time of a work alone. Before each run the cache is filled with other data, as the other
 /// works would fill it.
 WorkTime time_alone(const Work& work, int rounds) {
@@ -114,12 +126,17 @@ std::string recommendation(const TradePart& part, const std::string& command) {
   };
   const auto has_no_error = [](const Way& way) { return way.levels == 0; };
   const Way& same = fastest(part, has_no_error);
+  if (!has_no_error(first_of(part))) {
+    lines += "  the front (no other way is both faster and closer):\n";
+    for (const std::string& words : front_of(part)) lines += "    " + words + "\n";
+    return lines;
+  }
   if (std::count_if(part.ways.begin(), part.ways.end(), has_no_error) > 1)
     advise("the same picture", same);
   for (const int levels : {1, 4}) {
     const Way& way = fastest(part, [&](const Way& each) { return each.levels <= levels; });
     if (&way != &same && way.levels > levels / 4)
-      advise(text("at most %d level%s off", levels, levels == 1 ? "" : "s"), way);
+      advise(text("seen: off by %d level%s or less", levels, levels == 1 ? "" : "s"), way);
   }
   return lines;
 }

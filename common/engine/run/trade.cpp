@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "engine/compare/difference.hpp"
 #include "engine/compare/trade.hpp"
@@ -58,8 +59,9 @@ Words without(const Words& words, const std::string& option, bool has_value = tr
 class Collector {
  public:
   Collector(const CommandLine& line, const Words& words, const DrawingBy& drawing)
-      : line_(line), drawing_(drawing), typed_(without(words, "--trade", false)) {
-    typed_ = without(without(typed_, "--threads"), "--quiet", false);
+      : line_(line), drawing_(drawing), typed_(without(words, "--threads")) {
+    for (const char* flag : {"--trade", "--extremes", "--quiet"})
+      typed_ = without(typed_, flag, false);
   }
 
   [[nodiscard]] Words choices(const std::string& option) const {
@@ -81,8 +83,8 @@ class Collector {
   /// Adds a way; says why where its words do not go together with the others.
   void add(TradePart& part, const Words& more) {
     try {
-      Way way{joined(more), draw(more)};
-      if (more.front() == "--budget") static_cast<void>(way.draw());  // some are refused there
+      Way way{more.empty() ? "as typed" : joined(more), draw(more)};
+      if (way.words.starts_with("--budget")) static_cast<void>(way.draw());  // some are refused
       part.ways.push_back(std::move(way));
     } catch (const UsageError& error) {
       refused = error.what();
@@ -102,7 +104,7 @@ TradePart same_picture(Collector& collect, const std::vector<Instructions>& pack
   const Words base = numbers.empty() ? Words() : Words{"--number", "double"};
   TradePart part{
       "The same picture: what differs from the first way's is an error", collect.draw(base), {}};
-  collect.add(part, base.empty() ? Words{"--samples", "1"} : base);
+  collect.add(part, base);
   for (const std::string& number : numbers) {
     if (number == "double" || number == "interval") continue;
     if (!number.ends_with("-pack")) {
@@ -127,6 +129,7 @@ TradePart same_picture(Collector& collect, const std::vector<Instructions>& pack
 
 /// Samples, samplers, filters and ways to light, which should all come near the same picture.
 std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int samples) {
+  if (line.was_given("--show")) return {};  // has one ray a pixel
   const Words samplers = collect.choices("--sampler"), filters = collect.choices("--filter");
   const auto many = [&](Words words, int times) {
     words.insert(words.end(), {"--samples", std::to_string(times)});
@@ -136,9 +139,10 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
   if (choices_of(line, "--sampler").empty()) {
     const Words nearest = filters.empty() ? Words() : Words{"--filter", "nearest"};
     part.title = "Samples" + std::string(filters.empty() ? "" : " and filters") +
-                 ": what differs from 256 samples a pixel is an error";
+                 ": what differs from 256 samples a pixel is an error" +
+                 (filters.empty() ? "" : ", also at outlines, where no filter helps");
     part.right = collect.draw(many(nearest, 256));
-    for (const int each : {1, 4, 16}) collect.add(part, many(nearest, each));
+    for (const int each : std::set{1, 4, 16, samples}) collect.add(part, many(nearest, each));
     for (const std::string& filter : filters) {
       if (filter != "nearest") collect.add(part, {"--filter", filter});
     }
@@ -147,7 +151,7 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
     }
     return part;
   }
-  if (line.was_given("--time-limit") || line.was_given("--target-error")) return {};
+  if (line.was_given("--target-error")) return {};
   part.title = "Noise: what differs from 16 times the samples, by another seed, is an error";
   Words other = many({}, std::min(16 * samples, 4096));
   if (!line.was_given("--seed")) other.insert(other.end(), {"--seed", "1"});
@@ -163,6 +167,16 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
 
 void show_trade(const Chosen& chosen, const CommandLine& line, const Words& words,
                 const std::vector<Instructions>& packs, const DrawingBy& drawing) {
+  if (line.was_given("--time-limit")) {
+    throw UsageError(
+        "--time-limit stops a slow way after fewer samples, so --trade would compare other "
+        "pictures: give --samples in its place");
+  }
+  if (chosen.settings.number == NumberKind::interval) {
+    throw UsageError(
+        "--number interval draws how certain the colors are, and --trade compares colors: leave "
+        "one of them out");
+  }
   std::filesystem::path file = path_of(chosen.settings.out);
   file = file.replace_extension() += "_trade.svg";
   check_output(file);
@@ -183,7 +197,7 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
     said += table_of(part, command) + recommendation(part, command) + "\n";
   if (!refused.empty()) said += "Not measured: " + refused + "\n";
   if (choices_of(line, "--budget").empty())
-    said += "No --budget: this chapter computes nothing that has a shorter formula\n";
+    said += "No --budget: only the programs of 06, 07, 09 and 13 have shorter formulas\n";
   write_text_atomically(file, plot_of(parts, command));
   print(said + "Time across and error up: " + name_of(file) + "\n");
 }

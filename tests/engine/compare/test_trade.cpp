@@ -50,10 +50,14 @@ TEST_CASE("the fastest way is recommended that changes nothing, then by one leve
   part.ways.push_back(took("--two", 2, 2));
   part.ways.push_back(took("--nine", 1, 9));
   CHECK(
-      recommended().ends_with("at most 4 levels off, 5.0 times as fast:\n"
+      recommended().ends_with("seen: off by 4 levels or less, 5.0 times as fast:\n"
                               "    ./course run 03 --two\n"));
   part.ways = {took("--number double", 10, 0), took("--packs", 9.6, 0)};
   CHECK(recommended() == "  the same picture: nothing that was tried saves 5 %\n");
+  // Where all differ from the right one: those that no other beats.
+  part.ways = {took("--one", 1, 9), took("--four", 4, 3), took("--slow", 5, 3),
+               took("--bad", 4.5, 6), took("--best", 9, 1)};
+  CHECK(recommended().ends_with(":\n    --one\n    --four\n    --best\n"));
 }
 
 TEST_CASE("the table and the plot have each way") {
