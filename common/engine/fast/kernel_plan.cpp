@@ -91,6 +91,8 @@ void plan_places(KernelPlan& plan, const Budget& budget, const Image& texture) {
   plan.uv_degree = mapping.terms;
   plan.floats_are_enough = is_for_float(mapping.terms);
   plan.text += mapping.text + "\n";
+  if (levels && mapping.terms > 0)
+    plan.text += "levels are those inside a texel: at its edge a sample may read the neighbor\n";
 }
 
 }  // namespace

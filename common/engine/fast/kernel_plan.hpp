@@ -56,7 +56,8 @@ struct KernelPlan {
 /// The plan for a textured surface with many samples per pixel.
 ///
 /// @param reads  how many texels the picture reads
-/// Domain, in levels: a sky that is nowhere darker than half of its brightest place.
+/// Domain, in levels: a sky that is nowhere darker than half of its brightest place. A sample
+/// at the edge of a texel may read the neighbor, which is not counted.
 [[nodiscard]] KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads);
 /// The plan for a surface with a highlight and one ray per pixel.
 [[nodiscard]] KernelPlan plan_highlight(const Budget& budget);

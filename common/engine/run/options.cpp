@@ -351,7 +351,8 @@ void GlobeOptions::declare(Offer& offer) {
   CommandLine& line = offer.line;
   offer.budget =
       "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of the "
-      "picture); prints which fast formulas it chooses";
+      "picture, but for samples at the edge of a texel, which may read the neighbor); prints which "
+      "fast formulas it chooses";
   line.choice<TexelLight>(
       "--decode", decoding,
       {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},

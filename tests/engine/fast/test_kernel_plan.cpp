@@ -79,7 +79,7 @@ TEST_CASE(
   CHECK(is("levels=255", Budget::Unit::levels, 255));
   for (const char* text : {"", "Exact", "exact ", "exact=1", "texels", "texels=", "texels=0",
                            "texels=-1", "texels=+1", "texels= 1", "texels=1x", "texels=nan",
-                           "texels=1,5", "levels=256", "pixels=1", "levels=1e-999"}) {
+                           "texels=1,5", "levels=256", "pixels=1", "levels=1e-1299"}) {
     CAPTURE(text);
     const std::string expected =
         "a budget is 'exact', 'texels=X' or 'levels=X' with a number X above 0 and up to 255, not "
@@ -197,6 +197,11 @@ TEST_CASE("a plan says in a line each what was chosen") {
         "vectors; at worst 0.0009 texels and 0.38 levels; 0.039 of the reference's time\n"
         "pixels for texels=0.04: polynomials through nine probes for each that bends the picture "
         "by less than 0.00015; at worst 0.04 texels with (u, v)\n");
+  const auto warns_of_edges = [](const char* budget, int width) {
+    return plan_surface(parse_budget(budget), Image(width, 1), 0).text.ends_with("neighbor\n");
+  };
+  CHECK(warns_of_edges("levels=1", 8192));
+  CHECK_FALSE(warns_of_edges("levels=1e-12", 8192));  // buys nothing
   CHECK(plan_highlight(parse_budget("levels=1"))
             .text.find("Phong's power for levels=1: a "
                        "polynomial of 3 terms; at worst ") == 0);
