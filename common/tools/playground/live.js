@@ -204,7 +204,7 @@ const controls = [
   {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true, told: true},
   {option: "--beside", label: "Filter, left", here: (value) => `${value} left of the line`},
   {option: "--filter", label: "Filter, right", in: "09"},
-  {option: "--projection", label: "Layout", told: "of the map below the picture"},
+  {option: "--projection", label: "Layout", told: "of the map"},
   {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005],
     told: "the height of white, in radii"},
   {option: "--lamp-around", label: "Lamp right °", range: [-180, 180, 1],
@@ -941,9 +941,9 @@ async function live(main, script) {
     secondFrame.hidden = false;
     line.hidden = !lies[chapter];
   }
-  // The second picture lies on the first, or is below it.
+  // The second picture lies on the first, or follows the control that changes it.
   function cover(isOver) {
-    isOver ? line.before(secondFrame) : beside.after(secondFrame);
+    isOver ? line.before(secondFrame) : mostRow.after(secondFrame);
     secondFrame.classList.toggle("live-over", isOver);
   }
   // Asks for a small picture now, and for the full one when the reader rests.
@@ -1787,27 +1787,51 @@ async function live(main, script) {
   const told = (slip) => [element("b", {textContent: `${slip.words}. `}),
     ...(slip.right ? [changed(slip)] : slip.change ? ["Right: ", ...slip.change.split("`").map(
       (part, i) => i % 2 ? element("code", {textContent: part}) : part), ". "] : []),
-    "Left of the line is the right picture. ",
+    "Left of the line is the right picture. ", changes().words,
     isOurs(slip) ? "The calculation of a pixel is the right one. " : "",
     element("a", {href: `symptoms.html#${slip.card}`, textContent:
       slip.card ? "The card of this mistake" : "More mistakes and their pictures"})];
-  const without = (list, one) => list.filter((other) => other.words !== one.words);
+  // What the mistake changes in words, and whether it can be seen: here and there, or everywhere.
+  function changes() {
+    const [a, b] = [paper, secondPaper].map((pen) =>
+      pen.getImageData(0, 0, canvas.width, canvas.height).data);
+    const all = a.length / 4;
+    let count = 0, most = 0, sum = 0;
+    for (let i = 0; i < a.length; i += 4) {
+      const by = Math.max(...[0, 1, 2].map((k) => Math.abs(a[i + k] - b[i + k])));
+      count += by > 0;
+      most = Math.max(most, by);
+      sum += by;
+    }
+    return {isSeen: most >= 24 || sum / all >= 5, words: `${count.toLocaleString("en")} of ${
+      all.toLocaleString("en")} pixels change, by at most ${most} of 255. `};
+  }
+  const without = (list, one) => list.filter((other) => other !== one);
   const drawnBy = (list) => list[Math.floor(Math.random() * list.length)];
+  function judge(...words) {
+    verdict.replaceChildren(...words);
+    verdict.scrollIntoView({block: "nearest"});
+  }
   async function quiz() {
-    const slip = drawnBy(slips), second = drawnBy(without(slips, slip));
+    let slip = broken;
+    do {  // until it can be seen
+      slip = drawnBy(without(slips, slip));
+      command.parentElement.hidden = true;  // it would tell
+      if (!await breakIt(slip)) return;
+      command.parentElement.hidden = true;
+      wrongs.value = "";
+    } while (!changes().isSeen);
+    const second = drawnBy(without(slips, slip));
     const third = drawnBy(without(without(slips, slip), second));
-    command.parentElement.hidden = true;  // it would tell
-    if (!await breakIt(slip)) return;
-    command.parentElement.hidden = true;
-    wrongs.value = "";
     const choices = [slip, second, third].filter(Boolean)
       .sort((a, b) => a.words < b.words ? -1 : 1);
-    verdict.replaceChildren("Left of the line is the right picture. What is wrong? ",
+    judge("Left of the line is the right picture. What is wrong? ",
       ...choices.map((one) => element("button", {type: "button", textContent: one.words,
         onclick: () => {
           command.parentElement.hidden = false;
           wrongs.value = slip.words;
-          verdict.replaceChildren(one === slip ? "Yes: " : "No, it is: ", ...told(slip));
+          judge(one === slip ? "Yes: " : "No, it is: ", ...told(slip));
+          guess.focus({preventScroll: true});  // the buttons are gone
         }})));
   }
   wrongs.append(element("option", {value: "", textContent: "nothing is wrong"}),
@@ -1815,13 +1839,14 @@ async function live(main, script) {
   wrongs.onchange = async () => {
     const slip = slips.find(({words}) => words === wrongs.value);
     if (!slip) { mend(); change(); return; }
-    if (await breakIt(slip)) verdict.replaceChildren(...told(slip));
+    if (await breakIt(slip)) judge(...told(slip));
   };
-  trace.before(element("details", {className: "live-break", hidden: !slips.length},
+  const guess = element("button", {type: "button", textContent: "Which mistake is it?",
+    onclick: quiz});
+  // Above the form: the picture and the answers are seen together.
+  form.before(element("details", {className: "live-break", hidden: !slips.length},
     element("summary", {textContent: "Break it"}),
-    element("p", {}, element("label", {}, "A usual mistake: ", wrongs), " ",
-      element("button", {type: "button", textContent: "Which mistake is it?", onclick: quiz})),
-    verdict));
+    element("p", {}, element("label", {}, "A usual mistake: ", wrongs), " ", guess), verdict));
 
   // The room of the largest loupe is that of a width.
   new ResizeObserver(([{contentRect: {width}}]) => {
