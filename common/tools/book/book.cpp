@@ -472,8 +472,10 @@ class Book {
   /// The mistakes that a live picture can draw, and their lines of code: data-slips="[...]".
   [[nodiscard]] static std::string slips_of(const std::string& chapter) {
     std::vector<Json> list;
+    std::set<std::string> known;
     const auto add = [&](const std::vector<std::string>& typed, const slips::Slip& slip,
                          const char* right, const char* wrong) {
+      if (!known.insert(slip.words).second) return;  // of two quarter turns the first
       std::string name;
       for (const slips::Card& card : slips::cards) {
         if (slip.words.find(card.words) != std::string::npos) name = card.name;
