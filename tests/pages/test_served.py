@@ -146,7 +146,8 @@ def check_addresses(place, browser):
 
 
 def check_own_addresses(place, browser):
-    """The pages of 13 and 14 keep their settings in the address, too."""
+    """The pages of 13 and 14 keep their settings in the address, too, and say what they do not
+    know."""
     place.policy = WITH_WASM
     for page, asked, field, value, other in (
             ("13_speed_for_accuracy.html", "#budget=-6", "#budget", "-6", "-3"),
@@ -159,6 +160,11 @@ def check_own_addresses(place, browser):
         now = browser.run("location.hash")
         if now != asked.replace("=" + value, "=" + other):
             yield f"{page}: at {other} the address ends in {now}"
+        browser.run("location.hash = 'the-code'")
+        if browser.run("Boolean($('.live-says'))"):
+            yield f"{page}: a heading's address is taken for a setting"
+        browser.run(f"location.hash = {asked.replace('=' + value, '=x')!r}")
+        browser.wait("$('.live-says')?.textContent.includes('=x')", 10)
 
 
 # Rows of the loupe without code on a page: they say where the pixel is, or their module alone
@@ -240,6 +246,7 @@ def check_mistakes(place, browser):
     """Break it: each mistake of a page draws another picture, and the right one stays beside it;
     of three the page knows which one it drew; afterwards the page's own second picture is back."""
     place.policy, tried = WITH_WASM, 0
+    browser.size(1280, 900)
     for page in place.chapters:
         place.open(browser, page)
         browser.wait("true" if page[:2] == "00" else DONE, 60)
@@ -248,6 +255,7 @@ def check_mistakes(place, browser):
             del slips[2:]  # its light takes seconds
         if slips:
             browser.run(f"{UNLIKE}('.live-picture > canvas')")
+            browser.run(f"{BROKEN}.open = true")
             usual, second = browser.run(COMMAND), browser.run(SECOND)
         for k, slip in enumerate(slips):
             browser.run(f"{CHOOSE}({k + 1})")
@@ -259,13 +267,16 @@ def check_mistakes(place, browser):
             if slip["typed"][0] == "--mistake":  # of the page alone
                 is_typed = command == usual and "the mistake" in browser.run(HERE_ONLY)
             shown = browser.run(f"{VERDICT}.textContent")
-            if wrong < 500 or lost or not is_typed or not all(
+            if wrong < 500 or lost or not is_typed or f" {wrong:,} of " not in shown or not all(
                     line in shown for line in slip["right"].split("\n")):
                 yield f"{page}, {slip}: {wrong} pixels changed, {lost} lost, {command}"
         for _ in range(2 if slips else 0):
             browser.run(f"{BROKEN}.querySelector('button').click()")
             browser.wait(f"!!{VERDICT}.querySelector('button')", 60)
             is_hidden = browser.run("$('.live-command').hidden")
+            if not browser.run(f"{VERDICT}.getBoundingClientRect().bottom <= innerHeight + 1 && "
+                               f"({BOTTOM})('.live-picture') > 300"):
+                yield f"{page}: the picture and the three answers are not seen together"
             answer = browser.run(f"{VERDICT}.querySelector('button').textContent")
             browser.run(f"{VERDICT}.querySelector('button').click()")
             says = browser.run(f"{VERDICT}.textContent")

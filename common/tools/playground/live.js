@@ -411,6 +411,17 @@ function engaged(script, ...texts) {
 const whyLost = (reason) => !/CompileError/.test(reason) ? reason || "its worker did not start"
   : "this server's policy forbids WebAssembly: the script-src of its Content-Security-Policy needs "
     + "'wasm-unsafe-eval'";
+// What a page says about an address, or a part of it, that means nothing to it.
+const unknown = (asked) => `The address asks for "${asked}", which this picture does not know. `
+  + "These are the settings it begins with.";
+// Whether the address names a heading, and so no setting.
+const isPlace = () => Boolean(document.getElementById(location.hash.slice(1)));
+// For the pages of single chapters: says if an address is not known.
+function checkAddress(section, isKnown) {
+  section.querySelector(".live-says")?.remove();
+  if (!isKnown && location.hash && !isPlace()) section.append(element("p",
+    {className: "live-says live-fault", role: "status", textContent: unknown(location.hash)}));
+}
 // For the pages of single chapters: a worker that answers one call after another, each by its
 // name and what it takes.
 function answering(can) {
@@ -494,20 +505,21 @@ async function live(main, script) {
   const around = element("figure", {className: "live-around"}, zoomed,
     element("figcaption", {textContent: "the pixels around it"}));
   const facts = element("table");
-  const second = element("canvas");
+  const second = element("canvas", {width: 3, height: 2});  // until 10's map is there
+  const hasMap = main.dataset.live === "10";
   const secondPaper = second.getContext("2d", {willReadFrequently: true});
   // Where two pictures lie on each other: the line between them, which a slider moves.
   const line = element("input",
     {type: "range", className: "live-line", min: 0, max: 100, step: 0.1, value: 50, hidden: true,
       ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
-  const secondFrame = element("div", {className: "live-second", hidden: true}, second, spot);
+  const secondFrame = element("div", {className: "live-second", hidden: !hasMap}, second, spot);
   // The still picture, until there is another. By their presets 07 and 12 draw this one: it covers
   // their noisy passes until the last one.
   const stand = element("img",
     {src: image?.src || "", alt: "", className: "live-stand", hidden: !still});
   const picture = element("div", {className: "live-picture"}, canvas, ...(image ? [stand] : []),
-    secondFrame, line, mark);
+    line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
   const refined = element("p", {className: "live-refined", hidden: true}, refining, " ",
     element("span"));
@@ -521,7 +533,7 @@ async function live(main, script) {
     drawn, facts);
   const room = element("div", {}, loupe);
   const mostRow = element("fieldset", {className: "live-rows live-most", ariaLabel: "Change this"});
-  const beside = element("div", {className: "live-beside"}, mostRow, room);
+  const beside = element("div", {className: "live-beside"}, mostRow, secondFrame, room);
   const legend = element("p", {className: "live-legend"});
   const byTouch = matchMedia("(hover: none) and (pointer: coarse)").matches;
   const hint = byTouch
@@ -1074,14 +1086,14 @@ async function live(main, script) {
     if (pinned && pixel?.column !== undefined) list.push(`pixel=${pixel.column},${pixel.row}`);
     const now = list.length ? `#${list.join("&")}` : "";
     // a place on the page stays in the address until there is something to say
-    if (now === location.hash || !now && document.getElementById(location.hash.slice(1))) return;
+    if (now === location.hash || !now && isPlace()) return;
     history.replaceState(history.state, "", now || location.pathname + location.search);
   }
   // Sets what the address says. If a part of it says nothing to this picture, all is as it begins:
   // gives a sentence about it.
   function fromAddress() {
     const asked = location.hash.slice(1);
-    if (!hasAddress || !asked || document.getElementById(asked)) return "";
+    if (!hasAddress || !asked || isPlace()) return "";
     carried = {};
     const odd = asked.split("&").filter((part) => {
       const [name, ...rest] = part.split("=");
@@ -1107,11 +1119,10 @@ async function live(main, script) {
     }
     carried = {};
     closeLoupe();
-    return `The address asks for "${odd.join("&")}", which this picture does not know. `
-      + "These are the settings it begins with.";
+    return unknown(odd.join("&"));
   }
   addEventListener("hashchange", () => {
-    if (!hand || built !== chapter || document.getElementById(location.hash.slice(1))) return;
+    if (!hand || built !== chapter || isPlace()) return;
     reset();
     closeLoupe();
     const odd = fromAddress();
@@ -1150,7 +1161,8 @@ async function live(main, script) {
         element("label", {className: "live-button"}, button, choose), " ", opened);
     }));
     openers.hidden = !ownFiles.length;
-    refined.hidden = trace.hidden = secondFrame.hidden = line.hidden = true;
+    refined.hidden = trace.hidden = line.hidden = true;
+    secondFrame.hidden = !hasMap;
     cover(Boolean(lies[chapter]));
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
     save.hidden = !("--projection" in found);
@@ -1895,6 +1907,7 @@ return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
   of: {element, rounded, small, copied, painted, fetched, hire, open, unpacked, bytesOf,
+    isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),
     // A page of a single chapter begins, or says that it may not.

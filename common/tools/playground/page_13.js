@@ -5,7 +5,7 @@
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
 const {element, rounded, small, copied, painted, fetched, hire, open, unpacked, isHired, begin,
-  placed} = texmapLive.of;
+  placed, isPlace, checkAddress} = texmapLive.of;
 
 // ---- What the worker can do.
 function worker() {
@@ -394,14 +394,15 @@ async function show() {
   }
   slider.oninput = () => {  // the address keeps it
     history.replaceState(history.state, "", `#budget=${slider.value}`);
+    checkAddress(section, true);
     change();
   };
   const fromAddress = () => {
-    const [, asked] = /^#budget=(-?[\d.]+)$/.exec(location.hash) || [];
-    if (asked) slider.value = asked;
-    return Boolean(asked);
+    const [, asked] = /^#budget=(-?\d+(?:\.\d+)?)$/.exec(location.hash) || [];
+    slider.value = asked ?? -2;
+    checkAddress(section, asked);
   };
-  addEventListener("hashchange", () => fromAddress() && change());
+  addEventListener("hashchange", () => { if (!isPlace()) { fromAddress(); change(); } });
   fromAddress();
   again.onclick = time;
   copy.onclick = () => copied(copy, "Copy", command);

@@ -3,8 +3,8 @@
 "use strict";
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, small, painted, fetched, hire, open, unpacked, isHired, begin, placed}
-  = texmapLive.of;
+const {element, small, painted, fetched, hire, open, unpacked, isHired, begin, placed, isPlace,
+  checkAddress} = texmapLive.of;
 
 function worker() {
   let code;
@@ -117,20 +117,23 @@ async function show() {
     act();
     history.replaceState(history.state, "", `#exhibit=${dials[choice.value].exhibit}&at=${
       slider.value}${inDouble.checked ? "&number=double" : ""}`);
+    checkAddress(section, true);
   };
   choice.onchange = changedBy(choose);
   slider.oninput = inDouble.onchange = changedBy(change);
   function fromAddress() {
     const asked = new URLSearchParams(location.hash.slice(1));
     const i = dials.findIndex(({exhibit}) => exhibit === asked.get("exhibit"));
-    if (i >= 0) choice.value = i;
-    inDouble.checked = i >= 0 && asked.get("number") === "double";
+    const at = asked.get("at") ?? "", isKnown = i >= 0 && Number.isFinite(Number(at));
+    checkAddress(section, isKnown);
+    choice.value = isKnown ? i : 0;
+    inDouble.checked = isKnown && asked.get("number") === "double";
     choose();
-    if (i < 0 || !asked.get("at")) return;
-    slider.value = asked.get("at");
+    if (!isKnown || !at) return;
+    slider.value = at;
     change();
   }
-  addEventListener("hashchange", fromAddress);
+  addEventListener("hashchange", () => isPlace() || fromAddress());
   fromAddress();
 }
 if (!isHired(worker)) begin(show);
