@@ -10,7 +10,7 @@ const texmapCover = async (packed, earth) => {
   const part = (what) => hero.querySelector(what);
   const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span",
     "table", ".said"].map(part);
-  const {open, unpacked, bytesOf} = texmapLive.of;
+  const {open, unpacked, bytesOf, isPlace, checkAddress} = texmapLive.of;
   let code;
   try {
     code = (await open(await WebAssembly.compile(await unpacked(bytesOf(packed))))).calls;
@@ -144,10 +144,12 @@ const texmapCover = async (packed, earth) => {
       ? "radius" : "radii"}`;
     slider.setAttribute("aria-valuetext", `${shown.textContent} from the surface`);
   }
-  // For screen readers, when the pixel rests.
+  // For screen readers and the address, when the hand rests.
   function tell() {
     clearTimeout(telling);
     telling = setTimeout(() => {
+      if (slider.value !== slider.defaultValue || location.hash.startsWith("#radii"))
+        history.replaceState(history.state, "", `#radii=${radii()}`);
       const [u, column] = [5, 7].map((row) =>
         [...table.tBodies[0].rows[row].cells].map((one) => one.textContent));
       said.textContent = `Pixel ${hero.numbers.pixel.slice(1).join(", ")}. u: published ${u[1]}, `
@@ -187,6 +189,12 @@ const texmapCover = async (packed, earth) => {
     soon();
     tell();
   });
+  function fromAddress() {
+    const asked = Number(/^#radii=(.+)$/.exec(location.hash)?.[1]), isKnown = asked > 0;
+    slider.value = isKnown ? 100 * Math.log10(asked) : slider.defaultValue;
+    checkAddress(part(".why h1"), isKnown);
+  }
+  addEventListener("hashchange", () => { if (!isPlace()) { fromAddress(); change(); } });
   // Where the table is narrow, the true values take the place of ours.
   part("button").addEventListener("click", ({target}) => {
     target.textContent = table.classList.toggle("truth") ? "Show ours" : "Show true values";
@@ -195,6 +203,7 @@ const texmapCover = async (packed, earth) => {
   for (const one of [canvas, pin, table, slider.parentElement]) one.hidden = false;
   part("img").hidden = true;
   texmapStays();
+  fromAddress();
   change();
   new ResizeObserver(() => {
     if (canvas.width !== fullSize()) change();

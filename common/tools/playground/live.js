@@ -411,15 +411,18 @@ function engaged(script, ...texts) {
 const whyLost = (reason) => !/CompileError/.test(reason) ? reason || "its worker did not start"
   : "this server's policy forbids WebAssembly: the script-src of its Content-Security-Policy needs "
     + "'wasm-unsafe-eval'";
+// A command's words: no line breaks within one.
+const inWords = (words) =>
+  words.flatMap((word, i) => [i ? " " : "", element("span", {textContent: word})]);
 // What a page says about an address, or a part of it, that means nothing to it.
 const unknown = (asked) => `The address asks for "${asked}", which this picture does not know. `
   + "These are the settings it begins with.";
 // Whether the address names a heading, and so no setting.
 const isPlace = () => Boolean(document.getElementById(location.hash.slice(1)));
-// For the pages of single chapters: says if an address is not known.
-function checkAddress(section, isKnown) {
-  section.querySelector(".live-says")?.remove();
-  if (!isKnown && location.hash && !isPlace()) section.append(element("p",
+// For the pages of single chapters: says behind an element if an address is not known.
+function checkAddress(place, isKnown) {
+  document.querySelector(".live-says")?.remove();
+  if (!isKnown && location.hash && !isPlace()) place.after(element("p",
     {className: "live-says live-fault", role: "status", textContent: unknown(location.hash)}));
 }
 // For the pages of single chapters: a worker that answers one call after another, each by its
@@ -1051,8 +1054,7 @@ async function live(main, script) {
     const native = all.filter((one) => !one.here).flatMap((one) => one.words);
     const typed = ["./course run", chapter,
       ...native.map((word) => quoted(files.get(word)?.shown || word))];
-    command.replaceChildren(...typed.flatMap((word, i) =>
-      [i ? " " : "", element("span", {textContent: word})]));
+    command.replaceChildren(...inWords(typed));
     copy.textContent = "Copy";
     for (const {option, opened, hint} of ownFiles) {
       const own = values[option] !== presets[option] && files.get(values[option]);
@@ -1907,7 +1909,7 @@ return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
   of: {element, rounded, small, copied, painted, fetched, hire, open, unpacked, bytesOf,
-    isPlace, checkAddress,
+    inWords, isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),
     // A page of a single chapter begins, or says that it may not.

@@ -5,7 +5,7 @@
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
 const {element, rounded, small, copied, painted, fetched, hire, open, unpacked, isHired, begin,
-  placed, isPlace, checkAddress} = texmapLive.of;
+  placed, inWords, isPlace, checkAddress} = texmapLive.of;
 
 // ---- What the worker can do.
 function worker() {
@@ -310,9 +310,9 @@ async function show() {
         2)} times as fast as double with atan2.` : "",
       ` The command draws chapter 07's picture in this way${way.budget === "exact" ? ""
         : "; its budget is the polynomial's share of the error, and rounding adds the rest"}.`);
-    command.textContent =
-      `./course run 07 --scene book --number ${way.number}${way.budget === "exact" ? ""
-        : ` --budget ${way.budget}`}`;
+    const typed = `./course run 07 --scene book --number ${way.number}${
+      way.budget === "exact" ? "" : ` --budget ${way.budget}`}`;
+    command.replaceChildren(...inWords(typed.split(" ")));
     section.dataset.way = way.index;
   }
   // The fastest way that keeps to the slider, or -1, and the front: nothing is both faster and more
@@ -394,13 +394,13 @@ async function show() {
   }
   slider.oninput = () => {  // the address keeps it
     history.replaceState(history.state, "", `#budget=${slider.value}`);
-    checkAddress(section, true);
+    checkAddress(slider, true);
     change();
   };
   const fromAddress = () => {
     const [, asked] = /^#budget=(-?\d+(?:\.\d+)?)$/.exec(location.hash) || [];
     slider.value = asked ?? -2;
-    checkAddress(section, asked);
+    checkAddress(slider, asked);
   };
   addEventListener("hashchange", () => { if (!isPlace()) { fromAddress(); change(); } });
   fromAddress();

@@ -3,8 +3,8 @@
 "use strict";
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, small, painted, fetched, hire, open, unpacked, isHired, begin, placed, isPlace,
-  checkAddress} = texmapLive.of;
+const {element, small, painted, fetched, hire, open, unpacked, isHired, begin, placed, inWords,
+  isPlace, checkAddress} = texmapLive.of;
 
 function worker() {
   let code;
@@ -103,9 +103,8 @@ async function show() {
     note.replaceChildren("Magenta: a place outside the texture, a hole, or a NaN. ",
       ...dial.exhibit === "needle" ? [`${program} has another picture on it.`]
         : at === dial.value ? ["The program draws the published picture: ",
-          element("code",
-            {textContent: `./course run 14 --exhibit ${dial.exhibit} --formulas published `
-              + `--number ${number ? "float" : "double"}`})]
+          element("code", {}, ...inWords(["./course", "run", "14", "--exhibit", dial.exhibit,
+            "--formulas", "published", "--number", number ? "float" : "double"]))]
           : [`${program} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−")
             : dial.value.toLocaleString("en")}.`]);
     section.dataset.state = mine === last ? "done" : "drawing";
@@ -117,7 +116,7 @@ async function show() {
     act();
     history.replaceState(history.state, "", `#exhibit=${dials[choice.value].exhibit}&at=${
       slider.value}${inDouble.checked ? "&number=double" : ""}`);
-    checkAddress(section, true);
+    checkAddress(slider, true);
   };
   choice.onchange = changedBy(choose);
   slider.oninput = inDouble.onchange = changedBy(change);
@@ -125,7 +124,7 @@ async function show() {
     const asked = new URLSearchParams(location.hash.slice(1));
     const i = dials.findIndex(({exhibit}) => exhibit === asked.get("exhibit"));
     const at = asked.get("at") ?? "", isKnown = i >= 0 && Number.isFinite(Number(at));
-    checkAddress(section, isKnown);
+    checkAddress(slider, isKnown);
     choice.value = isKnown ? i : 0;
     inDouble.checked = isKnown && asked.get("number") === "double";
     choose();
