@@ -279,7 +279,7 @@ const lies = {"09": true};
 const hints = {
   "09": (values) =>
     `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}, which the command `
-      + "below draws. Drag the knob below.",
+      + "below draws. Drag the knob under the picture.",
   "10": (values) =>
     "Point at the globe or at the map: the place is marked on both, where it is in sight. The "
       + `map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
@@ -538,6 +538,7 @@ async function live(main, script) {
   const mostRow = element("fieldset", {className: "live-rows live-most", ariaLabel: "Change this"});
   const beside = element("div", {className: "live-beside"}, mostRow, secondFrame, room);
   const legend = element("p", {className: "live-legend"});
+  const isWide = matchMedia("(min-width: 52rem)");  // the loupe is beside the picture
   const byTouch = matchMedia("(hover: none) and (pointer: coarse)").matches;
   const hint = byTouch
     ? "Tap a pixel to see how it gets its color. A tap on its numbers closes them."
@@ -765,8 +766,7 @@ async function live(main, script) {
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe
       // covers nothing.
       if (example === null) {
-        example = matchMedia("(min-width: 52rem)").matches
-          && !main.querySelector("[name=live-chapter]");
+        example = isWide.matches && !main.querySelector("[name=live-chapter]");
         const [right, down] = firsts[chapter] || [0.53, 0.46];
         if (example)
           pixel ??= {column: Math.floor(right * canvas.width),
@@ -1823,6 +1823,10 @@ async function live(main, script) {
   const without = (list, one) => list.filter((other) => other !== one);
   const drawnBy = (list) => list[Math.floor(Math.random() * list.length)];
   function judge(...words) {
+    if (!isWide.matches) {  // else the loupe would part the picture from these words
+      closeLoupe();
+      room.style.minHeight = "";
+    }
     verdict.replaceChildren(...words);
     verdict.scrollIntoView({block: "nearest"});
   }
