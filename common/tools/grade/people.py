@@ -26,7 +26,8 @@ HEADS = {
           '登录名?|登录id|id号|识别号|身份标识|'
           '(电子)?(邮件|邮箱)(地址)?|學號|使用者名稱|電子郵件',
     'name': 'student|name|person|full name|student name|display name|vollstandiger name|'
-            'vor- und nachname|nachname, ?vorname|last name, ?first name|nom|nom complet|nom et prenom|etudiant(.e)?|nombre|nombre completo|'
+            'vor- und nachname|nachname, ?vorname|last name, ?first name|nom|nom complet|'
+            'nom et prenom|etudiant(.e)?|nombre|nombre completo|'
             'nombre y apellidos|apellidos y nombre|estudiante|alumno|navn|fullt navn|'
             '姓名|全名|学生|学生姓名|名字|名称|學生',
     'last': 'last ?name|surname|family name|last|nachname|familienname|nom d(e famille|.usage)|'
@@ -149,8 +150,8 @@ def name_ways(name):
 def join_class_list(path, submissions, chapters, columns=''):
     """Sets ids and persons from a class list: by id, then by name, if nobody else has that name. A
     group's work is that of each in it. Who has several submissions gets one. Adds who handed in
-    nothing. Says who these are, and who is not in the list; and, if most of both are so, that the list
-    was not understood."""
+    nothing. Says who these are, and who is not in the list; and, if most of both are so, that the
+    list was not understood."""
     people = lines_of(path, ['id', 'name', 'last first'], columns)
     names = {one: keys(one.person) for one in people}
 
@@ -208,16 +209,17 @@ def join_class_list(path, submissions, chapters, columns=''):
                and not any(person in by_name[one] for one in unknown)]
     alarm = []
     if 2 * len(unknown) > len(submissions) and 2 * len(missing) > len(people):
-        alarm = [f'NOT UNDERSTOOD: {len(unknown)} of {counted(len(submissions), "student")} are not '
-                 f"in the class list. Its first one is read as name '{people[0].person}', id "
+        alarm = [f'NOT UNDERSTOOD: {len(unknown)} of {counted(len(submissions), "student")} are '
+                 f"not in the class list. Its first one is read as name '{people[0].person}', id "
                  f"'{people[0].cell('id')}': --columns names others"]
     submissions += [Submission('', person.person or person.cell('id'), 'the class list alone',
                                person.cell('id'), person.person,
                                'handed in nothing') for person in missing]
+    nothing = submissions[len(submissions) - len(missing):]
     return [f'{words}: ' + '; '.join(clean(f'{one.name} ({one.id})' if one.id else one.name)
                                      for one in found) for words, found in {
         'not in the class list, or there are several of the name': unknown,
-        'handed in nothing': submissions[len(submissions) - len(missing):]}.items() if found], alarm
+        'handed in nothing': nothing}.items() if found], alarm
 
 
 def read_overrides(path, students, items):
