@@ -145,7 +145,7 @@ NR == FNR {
 }
 
 # The first error, or the first of a static_assert. g++ says before it, and clang++ after it, what led to it.
-/(^|: )(fatal )?error: |: undefined reference to / && !/ld returned|linker command/ {
+/(^|: )(fatal )?error: |: undefined reference to |: multiple definition of / && !/ld returned|linker command/ {
   is_read = !errors++ || (/static.assert(ion)? failed/ && message !~ /static.assert/)
   if (is_read) {
     at = row = block = ""
@@ -153,6 +153,7 @@ NR == FNR {
     inside = at != "" ? "" : /exercise_[0-9_]*\.cpp/ ? "outside" : "inside"
     take_place(led)
     message = $0
+    sub(/; .*: first defined here$/, "", message)
     sub(/^.*(error|:[^ ]*[)]): /, "", message)
   }
 }
