@@ -9,6 +9,8 @@ if(SH AND NOT TEXMAP_INSTRUMENT)
   add_dependencies(almost_01_1 check_01 check_03)
   add_check(check_of_almost exercises almost_01_1 --title "is it met?" --out "${CMAKE_CURRENT_BINARY_DIR}/almost" WITH PASS_REGULAR_EXPRESSION
     "01.1  is it met[?] not yet\n.*3 of 14 values are wrong.*The exercise's picture does not show this mistake")
+  add_check(check_of_the_end exercises almost_01_1 WITH ENVIRONMENT TEXMAP_END_HERE=1 PASS_REGULAR_EXPRESSION
+    "01.1  not yet: your function ends the program")
   add_check(check_of_radians exercises check_01 --question 01.b --answer 1.19 --again
     WITH PASS_REGULAR_EXPRESSION "66[.]7857 too small \\(98[.]2 %\\)[.]\n.*: yours is in radians")
   add_check(check_of_fraction exercises check_03 --question 03.b --answer 0.006
