@@ -460,7 +460,7 @@ class Search:
                 pictures[item] = path, ''
                 count = len({one[2] for one in candidates}) + len({one[3:6] for one in same}) - 1
                 above, shown = path.split(os.sep)[-2:]
-                shown = f'{above}/{name}' if when and shown == name else shown
+                shown = f'{above}/{name}' if (when or not version) and shown == name else shown
                 if count > 1:
                     notes[item] = f'the newest of {count}: {clean(shown_name(shown))}'
         return pictures, notes
