@@ -48,7 +48,7 @@ struct About {
 
 /// The groups of options that a lesson offers, in this order.
 struct Groups {
-  std::vector<const void*> members;  ///< their places
+  std::vector<const void*> members;  ///< where they are: in the lesson
   std::function<void(Offer&)> declare;
   template <class... Group>
   Groups(Group&&... groups)

@@ -51,7 +51,7 @@ class Session {
   std::function<std::string()> remark;
   /// Where save() puts a picture; null: into its file.
   Image* taken = nullptr;
-  /// Of that picture, drawn may be only every n-th column of every n-th row, from the second on.
+  /// `diagnose` compares only every n-th column of every n-th row, from the second on.
   int every = 1;
   [[nodiscard]] bool needs(int column, int row) const {
     return (column - 1) % every == 0 && (row - 1) % every == 0;
