@@ -92,6 +92,7 @@ function read_call(real,  rest, i, c, depth, one, count, others, whole, written)
 # Finds all that a sentence may name.
 function understand(  notes, quoted, n, i, header) {
   notes = short(block)
+  said["static"] = message
   message = short(message)
   n = split(message, quoted, "'")
   for (i = 2; i <= n; i += 2)
@@ -105,7 +106,7 @@ function understand(  notes, quoted, n, i, header) {
       take("op", substr(line, column), "^[-+*/%^=!<>&|]+", 0, 0)
     message = "operands " said["op"] " '" said[1] "' '" said[2] "'"
   }
-  said["static"] = message
+  gsub(/`/, "'", said["static"])
   sub(/^static.assert(ion)? failed( due to requirement '[^']*')?[: ]*/, "", said["static"])
   take_two("from", "to", notes, "(from|convert|conversion of|assigned) [a-z ]*'[^']*' to [a-z -]*'[^']*'")
   take_two("to", "from", notes, "type '[^']*' (from expression|with an? [a-z]+|could not bind to an? [a-z]+) of type '[^']*'")
