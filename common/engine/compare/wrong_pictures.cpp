@@ -47,9 +47,9 @@ template <auto red, auto green, auto blue>
 Image with_channels(const Image& image) {
   return changed_pixels(image, [](Rgb8 p) { return Rgb8{p.*red, p.*green, p.*blue}; });
 }
-constexpr auto bgr = with_channels<&Rgb8::b, &Rgb8::g, &Rgb8::r>;
-constexpr auto gbr = with_channels<&Rgb8::g, &Rgb8::b, &Rgb8::r>;
-constexpr auto brg = with_channels<&Rgb8::b, &Rgb8::r, &Rgb8::g>;
+const auto bgr = with_channels<&Rgb8::b, &Rgb8::g, &Rgb8::r>;
+const auto gbr = with_channels<&Rgb8::g, &Rgb8::b, &Rgb8::r>;
+const auto brg = with_channels<&Rgb8::b, &Rgb8::r, &Rgb8::g>;
 
 /// The picture moved to the right and down; columns come in again at the other side, rows do not.
 ///
