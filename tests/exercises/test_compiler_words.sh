@@ -49,7 +49,8 @@ echo "exercise_02_1.cpp:(.text+0x9): undefined reference to \`helper(double)'" >
 words="helper(double) is declared, and its body is nowhere"
 says 1
 printf 'double f(double x) { return x; }\nint main() {}\n' >"$file"
-echo "main.cpp:(.text+0x4): multiple definition of \`main'; a/exercise_02_1.cpp.o:exercise_02_1.cpp:(.text+0x9): first defined here" >log
+first="a/exercise_02_1.cpp.o:exercise_02_1.cpp:(.text+0x9): first defined here"
+echo "main.cpp:(.text+0x4): multiple definition of \`main'; $first" >log
 words="your file has a main"
 says 2
 echo "$failed failed"

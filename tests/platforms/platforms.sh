@@ -53,7 +53,8 @@ case $system in
     # None that starts programs: wine's cmd now and then starts none. The golden pictures and the faults below start them without it.
     suites="$numbers $images test_files test_windows_files test_command_line"
     export WINEPREFIX="$tree/build/platforms/wine" WINEDEBUG=-all
-    # One server to the end: where each program starts its own, one in 250 meets the last one's end and says nothing.
+    # One server for all programs. If each starts its own, one in 250 meets the end of the last server
+    # and ends with status 1, without a word.
     mkdir -p "$WINEPREFIX"
     timeout 10 wineserver -k || true
     wineserver -p

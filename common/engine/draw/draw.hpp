@@ -73,7 +73,7 @@ struct WorkOfLesson<Lesson> {
   static GatherWork<Lesson, Paint> work(const std::vector<Painted<Paint>>& objects);
   using Type = decltype(work(planned_objects(KernelPlan{}, std::declval<const Lesson&>().objects)));
 };
-/// The work that draws a lesson, by which CMake names it in wide_packs.cpp.in.
+/// The work that draws a lesson. wide_packs.cpp.in uses this name.
 template <class Lesson>
 using WorkOf = typename WorkOfLesson<Lesson>::Type;
 

@@ -6,7 +6,7 @@
 
 namespace texmap {
 
-/// A picture's numbers. A new one has its place in number_names.hpp, chosen.cpp and run_in_number.
+/// The numbers to draw with. Add a new one to number_names.hpp, chosen.cpp and run_in_number, too.
 enum class NumberKind {
   float_,       ///< 24 significant bits
   double_,      ///< 53

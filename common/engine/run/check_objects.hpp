@@ -34,8 +34,8 @@ template <class... Paints>
                     static_cast<const std::variant<Paints...>&>(any));
 }
 
-/// Errors: std::logic_error if a camera sees a shape with wrong hits, one that says that it is
-/// convex, and is not, or a picture placed by the normals of what is no sphere.
+/// Errors: std::logic_error if a camera sees a shape with wrong hits, a shape whose convex() is
+/// wrong, or a picture that normals place on a shape that is no sphere.
 template <class Objects>
 void check_objects(const Objects& objects, const Camera& camera) {
   const auto refuse_if = [](bool refused, int index, const char* why) {

@@ -197,7 +197,7 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
     said += table_of(part, command) + recommendation(part, command) + "\n";
   if (!refused.empty()) said += "Not measured: " + refused + "\n";
   if (choices_of(line, "--budget").empty())
-    said += "No --budget: only the programs of 06, 07, 09 and 13 have shorter formulas\n";
+    said += "No --budget: this program has no shorter formulas to choose from\n";
   write_text_atomically(file, plot_of(parts, command));
   print(said + "Time across and error up: " + name_of(file) + "\n");
 }

@@ -475,7 +475,7 @@ class Book {
     std::set<std::string> known;
     const auto add = [&](const std::vector<std::string>& typed, const slips::Slip& slip,
                          const char* right, const char* wrong) {
-      if (!known.insert(slip.words).second) return;  // of two quarter turns the first
+      if (!known.insert(slip.words).second) return;  // 12 has two with the same words
       std::string name;
       for (const slips::Card& card : slips::cards) {
         if (slip.words.find(card.words) != std::string::npos) name = card.name;

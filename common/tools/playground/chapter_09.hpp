@@ -1,4 +1,5 @@
-// Chapter 09's page: a second filter beside the first, the texels that a filter reads, mistakes.
+// The live page of chapter 09: compares two filters, shows the texels that a filter reads, and
+// draws the usual mistakes.
 #pragma once
 #include <algorithm>
 #include <cmath>

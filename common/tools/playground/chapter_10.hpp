@@ -1,4 +1,5 @@
-// Chapter 10's page: the map below the globe, a point of one marked on the other, mistakes.
+// The live page of chapter 10: shows the globe's map, marks a point on both, and draws the usual
+// mistakes.
 #pragma once
 #include <cmath>
 #include <utility>
