@@ -1,6 +1,7 @@
-// Claims of common/scene/triangle.hpp and floor.hpp: weights in a triangle, and the floor.
+// Claims of common/scene/triangle.hpp, edge_function.hpp and floor.hpp: triangles, and the floor.
 #include "claims.hpp"
 #include "published/triangle.hpp"
+#include "scene/edge_function.hpp"
 #include "scene/floor.hpp"
 #include "scene/triangle.hpp"
 
@@ -148,6 +149,52 @@ Measurement count_nan(Function function) {
       });
 }
 
+/// A ray that is aimed at a point of a triangle.
+template <class T>
+struct Aimed {
+  Case<T> at;
+  Ray<T> ray;
+
+  [[nodiscard]] std::string text() const { return at.text() + " from " + described(ray.origin); }
+};
+
+/// How far the point at a crossing's distance is from the triangle's plane, in unit roundoffs of
+/// corner + origin, in largest parts. `distance(space, seen)` is negative where nothing is met.
+template <class T, class Distance>
+Measurement worst_off_plane(Distance distance, const Thin& thin) {
+  return worst_over(1, [=](Dice& dice, Worst& worst) {
+    const Case<T> at = draw_thin<T>(dice, thin);
+    const Vec3<T> origin = number_cast<T>(dice.direction() * dice.power_of_ten(0, 1));
+    const Aimed<T> one{at, {origin, at.p - origin}};
+    const RaySpace<T> space(one.ray);
+    const std::array corners{at.triangle.a, at.triangle.b, at.triangle.c};
+    std::array<Vec3<T>, 3> seen;
+    for (std::size_t i = 0; i < 3; ++i) seen[i] = seen_along(space, number_cast<T>(corners[i]));
+    const T got = distance(space, seen);
+    if (got < T(0)) return;
+    const auto [a, b, c] = std::array{exactly(corners[0]), exactly(corners[1]), exactly(corners[2])};
+    const Vec3<Digits50> normal = cross(b - a, c - a);
+    const Vec3<Digits50> there =
+        exactly(one.ray.origin) + exactly(one.ray.direction) * Digits50(got) - a;
+    const Digits50 size = std::max({largest(a), largest(b), largest(c)}) + largest(exactly(origin));
+    worst.see(units_off(T(0), dot(normal, there) / length(normal), roundoff<T>() * size),
+              [&] { return one.text(); });
+  });
+}
+
+constexpr auto by_crossing = [](const auto& space, const auto& seen) {
+  const auto found = crossing(space, seen[0], seen[1], seen[2]);
+  return found.met ? found.distance : -found.distance / found.distance;
+};
+/// The textbook's areas, each a difference of two rounded products.
+constexpr auto by_rounded_areas = [](const auto& space, const auto& seen) {
+  if (by_crossing(space, seen) < 0) return by_crossing(space, seen);
+  const auto area = [&](int i, int k) { return seen[i].x * seen[k].y - seen[i].y * seen[k].x; };
+  const std::array at{area(1, 2), area(2, 0), area(0, 1)};
+  return (at[0] * seen[0].z + at[1] * seen[1].z + at[2] * seen[2].z) / (at[0] + at[1] + at[2]) /
+         space.direction.z;
+};
+
 /// A ray over a floor.
 template <class T>
 Ray<T> draw_downward(Dice& dice) {
@@ -209,10 +256,11 @@ std::string sized() {
 
 Family claims_of_triangles() {
   Family family{"Triangles and the floor",
-                "Exact: areas along the normal in 50 digits. The last rows are the areas by "
-                "Heron's formula."};
+                "Exact: areas along the normal in 50 digits. The last rows are areas as they "
+                "round, and the areas by Heron's formula."};
   const Bound by_weight{3, "u (largest weight)^2"};
   const Bound far{10, "u (largest weight)^2 (1 + u distance / height)"};
+  const char* off_plane = "u of corner + origin, in largest parts";
   const std::string any_shape = "triangles of any shape; points of anything the type can hold";
   for_each_number([&]<class Real>() {
     const Thin thin = thin_of<Real>();
@@ -247,11 +295,16 @@ Family claims_of_triangles() {
                       },
                       [](auto& one) { return !ours(one.triangle, one.p).degenerate; }));
     family.add<T>("barycentric, anything", any_shape, {0, "NaN"}, count_nan<T>(ours));
+    family.add<T>("crossing, from the plane", shapes<T>() + "; origins of 1 to 10", {20, off_plane},
+                  worst_off_plane<T>(by_crossing, {.aspect = thin.aspect}));
     family.add<T>("distance_to a Floor", "heights, origins and directions of 1e-6 to 1e6",
                   {2, "ulp"}, worst_floor<T>());
     family.add<T>("point_on a Floor, height", "any ray that meets it",
                   {0, "not the floor's to the bit"}, count_off_floor<T>());
   });
+  family.add_broken<float>("crossing by rounded areas", shapes<float>() + "; origins of 1 to 10",
+                           {20, off_plane},
+                           worst_off_plane<float>(by_rounded_areas, {.aspect = 5}));
   const std::string function = "weights by Heron's formula";
   family.add_broken<double>(
       function, "needles and caps at any angle, to 1e4 times longer than wide; points inside",

@@ -76,6 +76,37 @@ TEST_CASE_TEMPLATE("a ray outward from `outside` does not meet its own plane aga
   CHECK(from_point > 1000);
 }
 
+TEST_CASE_TEMPLATE("the slivers of a flat fan do not shadow each other, however thin", Real, float,
+                   double) {
+  Dice dice;
+  int met = 0;
+  for (const double width : {1e-2, 1e-4, 1e-6}) {
+    for (int i = 0; i < 500; ++i) {
+      const RotationY turn = rotation_y(dice.between(0, 360));
+      const double first = dice.between(0, 6);
+      const auto on_rim = [&](int k) {
+        return turn(Point{std::cos(first + k * width), std::sin(first + k * width), 0});
+      };
+      Mesh fan;
+      fan.points = {{0, 0, 0}, on_rim(0)};
+      for (int k = 1; k <= 40; ++k) {
+        fan.points.push_back(on_rim(k));
+        fan.triangles.push_back({0, k, k + 1});
+      }
+      const Point aim = (on_rim(20) + on_rim(21)) * dice.between(0.05, 0.45);
+      const Point eye = turn(Point{0, 0, 1} + point_within(dice, 0.9)) * 5.0;
+      const MeshHit<Real> hit = first_hit(
+          fan, Ray<Real>{number_cast<Real>(eye), number_cast<Real>(normalize(aim - eye))});
+      if (!hit.met) continue;  // a rounded ray may miss the rim
+      ++met;
+      const Ray<Real> to_light{hit.outside,
+                               number_cast<Real>(turn(Point{dice.between(-2, 2), 1, 1}))};
+      REQUIRE_FALSE(is_occluded(others(fan, hit), to_light, Real(10)));
+    }
+  }
+  CHECK(met > 1400);
+}
+
 TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding loses their area", Real,
                    float, double, long double) {
   Dice dice;
