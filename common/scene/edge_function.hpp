@@ -1,6 +1,7 @@
 // On which side of an edge a ray passes, without an error: meshes then have no cracks.
 #pragma once
 #include "number/compensated.hpp"
+#include "number/compiler.hpp"
 #include "scene/ray.hpp"
 
 namespace texmap {
@@ -58,37 +59,33 @@ template <class Real>
 /// both corners are at the same place.
 template <class Real>
 struct EdgeSide {
+  Real area;     ///< twice the signed area of the ray and the edge; its sign is exact
+  Real product;  ///< the first of the two products that it is a difference of
   Mask<Real> left, right;
 };
 
 /// The side of the edge from `a` to `b`, both as seen_along gives them. From `b` to `a` everything
 /// is the exact opposite. A ray that passes through the edge is moved a little in x, and less in y.
-/// Textbook: the sign of a.x b.y - a.y b.x.
+/// Textbook: a.x b.y - a.y b.x, and its sign.
 /// Domain: |x|, |y| below the root of the largest number / 4.
 template <class Real>
 [[nodiscard]] EdgeSide<Real> side_of_edge(const Vec3<Real>& a, const Vec3<Real>& b) {
   // Rounding never exchanges two products: if the rounded ones differ, their order is exact.
   const Real one = a.x * b.y;
   const Real other = a.y * b.x;
-  EdgeSide<Real> side{one > other, one < other};
+  EdgeSide<Real> side{one - other, one, one > other, one < other};
   const Mask<Real> undecided = one == other;
   if (!any(undecided)) return side;
 
   const Real one_rest = two_product(a.x, b.y).low;
   const Real other_rest = two_product(a.y, b.x).low;
   const Mask<Real> through = undecided && one_rest == other_rest;
+  side.area = select(undecided, side.area + (one_rest - other_rest), side.area);
   side.left = side.left || (undecided && one_rest > other_rest) ||
               (through && (b.y < a.y || (b.y == a.y && b.x > a.x)));
   side.right = side.right || (undecided && one_rest < other_rest) ||
                (through && (b.y > a.y || (b.y == a.y && b.x < a.x)));
   return side;
-}
-
-/// Twice the signed area of the ray and an edge, above 0 where the ray passes on its left.
-/// Textbook, domain: as side_of_edge. Bound: 2 unit roundoffs, also where the products cancel.
-template <class Real>
-[[nodiscard]] Real area_at_edge(const Vec3<Real>& a, const Vec3<Real>& b) {
-  return difference_of_products(a.x, b.y, a.y, b.x);
 }
 
 /// Where a ray's line passes through a triangle.
@@ -100,12 +97,22 @@ struct Crossing {
   Real distance;     ///< in lengths of the ray's direction; negative behind its origin
 };
 
+/// The areas at bc, ca and ab as EdgeSide has them, each within 2 unit roundoffs of itself.
+template <class Real>
+[[nodiscard]] TEXMAP_NOINLINE Vec3<Real> areas_of_needle(const Vec3<Real>& a, const Vec3<Real>& b,
+                                                         const Vec3<Real>& c) {
+  const auto area = [](const Vec3<Real>& p, const Vec3<Real>& q) {
+    return difference_of_products(p.x, q.y, p.y, q.x);
+  };
+  return {area(b, c), area(c, a), area(a, b)};
+}
+
 /// The crossing of a ray with a triangle; `a`, `b`, `c` are its corners as seen_along gives them.
 /// Law: a line meets as many triangles of a closed mesh from the front as from the back; through
 /// an edge or a corner it meets exactly one of the triangles there on each side.
-/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height); but the
-/// point that they mix and `distance` are as near to the triangle in a needle as elsewhere.
-/// docs/numerics.md proves law and bound.
+/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height); the point
+/// at `distance` within 28 of |corner| + |origin| of the plane, however small that height is.
+/// docs/numerics.md proves law and bounds.
 template <class Real>
 [[nodiscard]] Crossing<Real> crossing(const RaySpace<Real>& space, const Vec3<Real>& a,
                                       const Vec3<Real>& b, const Vec3<Real>& c) {
@@ -118,7 +125,11 @@ template <class Real>
   const Mask<Real> front = (left && backward) || (met && !left && !backward);
   Crossing<Real> result{met, front, Real(1), Real(0), Real(0), Real(1)};
   if (!any(met)) return result;
-  const Vec3<Real> at{area_at_edge(b, c), area_at_edge(c, a), area_at_edge(a, b)};
+  Vec3<Real> at{bc.area, ca.area, ab.area};
+  const Real products = abs(ab.product) + abs(bc.product) + abs(ca.product);
+  // In a thin triangle they are small differences of large products.
+  const Mask<Real> thin = met && products > Real(1.75) * abs(at.x + at.y + at.z);
+  if (any(thin)) at = select(thin, areas_of_needle(a, b, c), at);
   const Real whole = select(met, at.x + at.y + at.z, Real(1));
   result.a = at.x / whole;
   result.b = at.y / whole;

@@ -162,9 +162,9 @@ struct Aimed {
 /// corner + origin, in largest parts. `distance(space, seen)` is negative where nothing is met.
 template <class T, class Distance>
 Measurement worst_off_plane(Distance distance, const Thin& thin) {
-  return worst_over(1, [=](Dice& dice, Worst& worst) {
+  return worst_over(4, [=](Dice& dice, Worst& worst) {
     const Case<T> at = draw_thin<T>(dice, thin);
-    const Vec3<T> origin = number_cast<T>(dice.direction() * dice.power_of_ten(0, 1));
+    const Vec3<T> origin = number_cast<T>(dice.direction() * dice.power_of_ten(-1, 1));
     const Aimed<T> one{at, {origin, at.p - origin}};
     const RaySpace<T> space(one.ray);
     const std::array corners{at.triangle.a, at.triangle.b, at.triangle.c};
@@ -172,7 +172,8 @@ Measurement worst_off_plane(Distance distance, const Thin& thin) {
     for (std::size_t i = 0; i < 3; ++i) seen[i] = seen_along(space, number_cast<T>(corners[i]));
     const T got = distance(space, seen);
     if (got < T(0)) return;
-    const auto [a, b, c] = std::array{exactly(corners[0]), exactly(corners[1]), exactly(corners[2])};
+    const auto [a, b, c] =
+        std::array{exactly(corners[0]), exactly(corners[1]), exactly(corners[2])};
     const Vec3<Digits50> normal = cross(b - a, c - a);
     const Vec3<Digits50> there =
         exactly(one.ray.origin) + exactly(one.ray.direction) * Digits50(got) - a;
@@ -295,15 +296,15 @@ Family claims_of_triangles() {
                       },
                       [](auto& one) { return !ours(one.triangle, one.p).degenerate; }));
     family.add<T>("barycentric, anything", any_shape, {0, "NaN"}, count_nan<T>(ours));
-    family.add<T>("crossing, from the plane", shapes<T>() + "; origins of 1 to 10", {20, off_plane},
-                  worst_off_plane<T>(by_crossing, {.aspect = thin.aspect}));
+    family.add<T>("crossing, from the plane", shapes<T>() + "; origins of 0.1 to 10",
+                  {28, off_plane}, worst_off_plane<T>(by_crossing, {.aspect = thin.aspect}));
     family.add<T>("distance_to a Floor", "heights, origins and directions of 1e-6 to 1e6",
                   {2, "ulp"}, worst_floor<T>());
     family.add<T>("point_on a Floor, height", "any ray that meets it",
                   {0, "not the floor's to the bit"}, count_off_floor<T>());
   });
-  family.add_broken<float>("crossing by rounded areas", shapes<float>() + "; origins of 1 to 10",
-                           {20, off_plane},
+  family.add_broken<float>("crossing by rounded areas", shapes<float>() + "; origins of 0.1 to 10",
+                           {28, off_plane},
                            worst_off_plane<float>(by_rounded_areas, {.aspect = 5}));
   const std::string function = "weights by Heron's formula";
   family.add_broken<double>(

@@ -11,11 +11,11 @@ namespace {
 
 double size_of(const Vec3d& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
-// Twice the area of a triangle in a plane, as chapter 08 computes it; above 0 if p, a, b run
+// Twice the area of a triangle in a plane, by chapter 08's edge function; above 0 if p, a, b run
 // counterclockwise, and 0 if they are in a line but for rounding.
 double turn(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
   const Vec3d to_a = a - p, to_b = b - p;
-  const double area = area_at_edge(to_a, to_b);
+  const double area = side_of_edge(to_a, to_b).area;
   return std::abs(area) > 0x1p-40 * size_of(to_a) * size_of(to_b) ? area : 0;
 }
 

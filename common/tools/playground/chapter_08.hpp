@@ -25,8 +25,9 @@ struct TriangleUv {
       low = {std::min(low.x, seen[i].x), std::min(low.y, seen[i].y), 0};
       high = {std::max(high.x, seen[i].x), std::max(high.y, seen[i].y), 0};
     }
-    const std::array areas = {area_at_edge(seen[1], seen[2]), area_at_edge(seen[2], seen[0]),
-                              area_at_edge(seen[0], seen[1])};
+    const std::array areas = {side_of_edge(seen[1], seen[2]).area,
+                              side_of_edge(seen[2], seen[0]).area,
+                              side_of_edge(seen[0], seen[1]).area};
     const double whole = areas[0] + areas[1] + areas[2];
     const double size = std::max(high.x - low.x, high.y - low.y) * 1.3;
     Figure figure{"The triangle as the ray sees it; the ray passes through the dot"};
