@@ -103,12 +103,14 @@ endfunction()
 # optimised a little: a lesson then compiles in about a second. They draw the same pictures. What
 # takes time when they run, and what measures times, is compiled as for release: the user's times
 # are those of fast programs.
+# A wrong index of a list, such as objects[4] of four, stops them in words (libstdc++'s, libc++'s).
+set(learn_definitions TEXMAP_LEARN TEXMAP_NO_FLATTEN _GLIBCXX_ASSERTIONS _LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_FAST)
 if(TEXMAP_LEARN)
   set(CMAKE_PCH_PROLOGUE "")  # else the common headers count as a system's, and a switch that lacks a case is no error
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
   add_library(learn_headers OBJECT "${CMAKE_BINARY_DIR}/learn_headers.cpp")
   target_link_libraries(learn_headers PRIVATE project_options run)
-  target_compile_definitions(learn_headers PUBLIC TEXMAP_LEARN TEXMAP_NO_FLATTEN)
+  target_compile_definitions(learn_headers PUBLIC ${learn_definitions})
   target_compile_options(learn_headers PRIVATE ${learn_options})
   target_precompile_headers(learn_headers PRIVATE "${CMAKE_SOURCE_DIR}/common/engine/run/precompiled.hpp")
 endif()
@@ -116,7 +118,7 @@ endif()
 # learn_quickly(TARGET): what learners compile again and again, in the build for learning.
 function(learn_quickly target)
   if(TEXMAP_LEARN)
-    target_compile_definitions(${target} PRIVATE TEXMAP_LEARN TEXMAP_NO_FLATTEN)
+    target_compile_definitions(${target} PRIVATE ${learn_definitions})
     target_compile_options(${target} PRIVATE ${learn_options})
     target_precompile_headers(${target} REUSE_FROM learn_headers)
   endif()

@@ -194,7 +194,8 @@ void Lesson::draw_all(Session& session) {
   const Settings& settings = session.settings;
   std::vector<Budget> budgets = {read_budget("exact"), read_budget("texels=0.01"),
                                  read_budget("levels=1")};
-  if (!trade.budget.empty()) budgets.push_back(read_budget(trade.budget));
+  const Budget own = read_budget(trade.budget.empty() ? "exact" : trade.budget);
+  if (std::count(budgets.begin(), budgets.end(), own) == 0) budgets.push_back(own);
   const std::vector<std::filesystem::path> report = names_of_report(path_of(settings.out));
   for (const std::filesystem::path& file : report) check_output(file);  // before anything long
   const Globe globe(texture.load());

@@ -86,6 +86,21 @@ TEST_CASE("a shape is refused whose hits are behind the eye, turned away, or not
   for (const double lift : {0.0, -1e-9, 5.0, std::nan("")}) refused({.lift = lift}, "`outside`");
 }
 
+TEST_CASE("a camera without a view is refused, and a sphere that no ray can meet") {
+  const auto refused = [](const Camera& camera, double radius, const char* why) {
+    Ready<chapter_02::Lesson> ready("stripes", {"--quiet", "--width", "8", "--height", "6"});
+    ready.lesson.stage.camera = camera;
+    ready.lesson.objects[2].shape.radius = radius;
+    CHECK_THROWS_WITH_AS(ready.build(), doctest::Contains(why), std::logic_error);
+  };
+  refused({.eye = {1, 2, 3}, .target = {1, 2, 3}}, 1, "no direction is up");
+  refused({.eye = {0, 8, 0}, .target = {0, 0, 0}}, 1, "no direction is up");
+  for (const double angle : {0.0, 180.0, std::nan("")})
+    refused({.eye = {0, 0, 8}, .target = {}, .fov_y_degrees = angle}, 1, "between 0 and 180");
+  for (const double radius : {0.0, -1.0, std::nan("")})
+    refused({.eye = {0, 0, 8}, .target = {}}, radius, "object 2: its radius is not above 0");
+}
+
 TEST_CASE("a lesson is refused whose options are not its own, or that forgets its samples") {
   struct Elsewhere : chapter_02::Lesson {
     Groups options() override {

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -269,6 +270,14 @@ std::string CommandLine::help() const {
 }
 
 void expect_little_memory() { std::set_terminate(give_up); }
+
+void expect_wrong_index() {
+  std::signal(SIGABRT, [](int /*signal*/) {
+    end_with(
+        "error: the standard library stopped the program: the line above says why. Most often an "
+        "index is too large: a list of 4 objects has objects[0] to objects[3]\n");
+  });
+}
 
 int run_guarded(const CommandLine& line, const std::function<void()>& body) {
   secure_standard_streams();

@@ -148,6 +148,8 @@ class CommandLine {
 
 /// Makes running out of memory end with a message and status 1. Called before anything else.
 void expect_little_memory();
+/// The same for a wrong index, which the standard library notices in programs for learning.
+void expect_wrong_index();
 
 /// What every main program does with errors: calls `body` and turns what it throws into a message
 /// on stderr and an exit status: 1 for failures, 2 for a wrong command line.

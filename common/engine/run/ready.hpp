@@ -13,9 +13,11 @@
 #include "engine/draw/draw.hpp"
 #include "engine/draw/lesson_surfaces.hpp"
 #include "engine/draw/number_names.hpp"
+#include "engine/files/text.hpp"
 #include "engine/run/chosen.hpp"
 #include "engine/run/command_line.hpp"
 #include "engine/run/session.hpp"
+#include "scene/camera.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap {
@@ -76,10 +78,34 @@ void choose_spheres(const Chosen& chosen, Lesson& lesson) {
   }
 }
 
+/// Errors: std::logic_error for a camera without a view, and for a sphere that no ray can meet.
+template <class Lesson>
+void check_scene(const Lesson& lesson) {
+  const auto refuse_if = [](bool refused, const std::string& why) {
+    if (refused) throw std::logic_error(why);
+  };
+  if constexpr (requires { lesson.stage.camera; }) {
+    const Camera& camera = lesson.stage.camera;
+    const Vec3d ahead = camera.target - camera.eye;
+    refuse_if(!(abs(ahead.x) + abs(ahead.z) > 0),
+              "the camera's `target` is its `eye`, or straight above or below it, so that no "
+              "direction is up: move it a little in x or z, by 0.001");
+    refuse_if(!(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180),
+              "the camera's `fov_y_degrees` is not between 0 and 180");
+  }
+  if constexpr (HasSpheres<Lesson>) {
+    for (const auto& object : lesson.objects) {
+      refuse_if(!(object.shape.radius > 0),
+                text("object %td: its radius is not above 0", &object - lesson.objects.data()));
+    }
+  }
+}
+
 /// Makes a lesson what the user chose.
 template <class Lesson>
 void build(Lesson& lesson, Chosen& chosen) {
   lesson.build(chosen);
+  check_scene(lesson);
   choose_spheres(chosen, lesson);
 }
 

@@ -44,6 +44,7 @@ template <class Lesson>
       "a shape has distance_to, hit_at and a const convex(), as scene/shapes.hpp says: one of them "
       "is missing. What is derived from Sphere has its own");
   expect_little_memory();
+  if constexpr (!all_numbers) expect_wrong_index();
   CommandLine line(chapter, Lesson::about.idea);
   return run_guarded(line, [&] {
     Lesson lesson;

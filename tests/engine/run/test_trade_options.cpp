@@ -81,5 +81,6 @@ TEST_CASE("in double a scene may have any size, and lie a million radii away") {
     CHECK(std::stod(moved.at(2)) < 1e20);  // where neighboring doubles are farther apart than balls
     CHECK(row_of(outcome.out, "float  everything moved by").at(2) != "never");
   }
+  CHECK(measured("01_plain_spheres", "--extremes --number float", folder / "a.png").status == 2);
   CHECK(folder.size() == 0);
 }
