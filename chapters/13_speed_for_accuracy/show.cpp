@@ -195,7 +195,8 @@ void Lesson::draw_all(Session& session) {
   std::vector<Budget> budgets = {read_budget("exact"), read_budget("texels=0.01"),
                                  read_budget("levels=1")};
   const Budget own = read_budget(trade.budget.empty() ? "exact" : trade.budget);
-  if (std::count(budgets.begin(), budgets.end(), own) == 0) budgets.push_back(own);
+  const auto is_own = [&](const Budget& each) { return to_text(each) == to_text(own); };
+  if (std::none_of(budgets.begin(), budgets.end(), is_own)) budgets.push_back(own);
   const std::vector<std::filesystem::path> report = names_of_report(path_of(settings.out));
   for (const std::filesystem::path& file : report) check_output(file);  // before anything long
   const Globe globe(texture.load());

@@ -241,16 +241,6 @@ struct Lesson : LessonHooks, Base {
     return Mapped<Upward, FilteredTexture>{}(Hit<Real>{.normal = ray.direction});
   }
 };
-#elif MISTAKE == 31
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "options that are lost with a copy"};
-  struct Sizes {
-    double radius = 1;
-    void declare(Offer offer);
-  } sizes;
-  Groups options() override { return {sizes}; }
-  void build(Chosen&) override {}
-};
 #elif MISTAKE <= 10
 struct Lesson : LessonHooks, Base {
 #if MISTAKE == 8

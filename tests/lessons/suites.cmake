@@ -78,8 +78,7 @@ if(TAKES_GNU_OPTIONS)
   set(no_stage "a lesson has a member .stage., with a camera")
   set(hook_of_another "draw_all.*marked .*override|marked 'override' hides virtual")
   set(options_of_nobody ".options. names groups that are members of the lesson")
-  set(group_without_declare "a group of options has a member .void declare.Offer& offer..")
-  set(group_that_copies "${group_without_declare}")
+  set(group_without_declare "no member named .*declare")
   set(paint_without_call "a paint cannot be called with a hit")
   set(mapping_to_a_number "a mapping returns a Uv<Real>")
   set(paths_without_objects "a PathLesson has a list of Painted<Paint> in .objects.")
@@ -101,7 +100,7 @@ if(TAKES_GNU_OPTIONS)
       branch_in_packs branch_in_intervals wave_in_intervals forgotten_build no_call no_stage hook_of_another options_of_nobody group_without_declare
       paint_without_call mapping_to_a_number paths_without_objects ray_for_a_path shape_without_distance
       filter_without_case color_not_returned private_base no_idea facts_of_each path_to_a_vector shape_without_convex
-      one_of_shapes_without_convex mapping_that_is_not_const group_that_copies)
+      one_of_shapes_without_convex mapping_that_is_not_const)
     math(EXPR number "${number} + 1")
     foreach(build TEXMAP_LEARN ALL_NUMBERS)
       if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there

@@ -1,7 +1,6 @@
 // What a lesson says about itself, and its hooks.
 #pragma once
 #include <functional>
-#include <type_traits>
 #include <vector>
 
 namespace texmap {
@@ -47,23 +46,13 @@ struct About {
   Numbers numbers = Numbers::all;  ///< that its code can be run with
 };
 
-/// A group of options, which adds its own to what a program offers.
-template <class Group>
-concept OptionGroup = requires(void (Group::*member)(Offer&)) {
-  member = &Group::declare;
-};
-
 /// The groups of options that a lesson offers, in this order.
 struct Groups {
   std::vector<const void*> members;  ///< where they are: in the lesson
   std::function<void(Offer&)> declare;
   template <class... Group>
   Groups(Group&&... groups)
-      : members{&groups...}, declare([&](Offer& offer) {
-          static_assert((OptionGroup<std::remove_reference_t<Group>> && ...),
-                        "a group of options has a member `void declare(Offer& offer)`");
-          (groups.declare(offer), ...);
-        }) {
+      : members{&groups...}, declare([&](Offer& offer) { (groups.declare(offer), ...); }) {
     static_assert((std::is_lvalue_reference_v<Group> && ...),
                   "`options` names groups that are members of the lesson");
   }

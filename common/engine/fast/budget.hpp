@@ -16,7 +16,6 @@ struct Budget {
   double limit = 0;  ///< 0 for `exact`, otherwise above 0
 
   [[nodiscard]] bool is_exact() const { return unit == Unit::exact; }
-  [[nodiscard]] bool operator==(const Budget&) const = default;
 };
 
 /// Reads `exact`, `texels=0.01` or `levels=1`: a unit and a decimal number in (0, 255].
