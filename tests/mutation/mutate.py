@@ -283,7 +283,8 @@ def ctest(*options):
 class Build:
     """The clean build: which test runs which program, and how long each takes to compile."""
 
-    def __init__(self, jobs):
+    def __init__(self, jobs, near):
+        self.near = near
         self.ninja = ['ninja', '-C', BUILD, '-j', jobs]
         # suites of what readers change are not in all
         self.everything = [*self.ninja, 'all', 'reader_suites']
@@ -342,16 +343,24 @@ class Build:
                 shutil.copy2(CLEAN / name, BUILD / name)
 
     def judged(self, mutant, stale):
-        """Builds and runs suite by suite, the file's own first, then the cheapest; then
-        everything."""
-        own = 'test_' + Path(mutant.path).stem
-        suites = [test for test, program in self.program_of.items() if program in stale]
-        for test in sorted(suites, key=lambda name: (name != own, self.compiled_in.get(name, 0))):
-            program = self.program_of[test]
-            if run([*self.ninja, program]).returncode != 0:
+        """Builds and runs suites, the file's own first, then its room's, then the cheapest; then
+        everything, unless only the nearest are asked."""
+        room = Path(mutant.path).parent.relative_to('common')
+        rooms = {path.stem: path.parent for path in (TREE / 'tests').rglob('test_*.cpp')}
+        suites = sorted((test for test, program in self.program_of.items() if program in stale),
+                        key=lambda test: (test != 'test_' + Path(mutant.path).stem,
+                                          rooms.get(test) != TREE / 'tests' / room,
+                                          self.compiled_in.get(test, 0)))
+        asked = suites[:self.near] if self.near else suites
+        for first in range(0, len(asked), self.jobs):
+            batch = asked[first:first + self.jobs]
+            if run([*self.ninja, *(self.program_of[test] for test in batch)]).returncode != 0:
                 return 'did not compile'
-            if not is_clean(program) and self.fails('-R', f'^{re.escape(test)}$'):
-                return 'killed by ' + test
+            for test in batch:
+                if not is_clean(self.program_of[test]) and self.fails('-R', f'^{re.escape(test)}$'):
+                    return 'killed by ' + test
+        if len(asked) < len(suites):
+            return 'SURVIVED'
         if run(self.everything).returncode != 0:
             return 'did not compile'
         if all(is_clean(name) for name in stale if '.dir/' not in name):
@@ -394,6 +403,9 @@ def main():
                         help='only in these, such as scene/*.hpp')
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
+    parser.add_argument('--near', type=int, default=0, metavar='SUITES',
+                        help='where more suites include the file, run so many: its own, its room\'s, '
+                        'the cheapest; some mutants then survive that others would find')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
     options = parser.parse_args()
     mutants = all_mutants(options.files)
@@ -406,7 +418,7 @@ def main():
     if options.list:
         print('\n'.join(map(str, mutants if options.only else mutants[:options.count])))
         return
-    build, equivalent = Build(options.jobs), read_equivalent()
+    build, equivalent = Build(options.jobs, options.near), read_equivalent()
     counts = dict.fromkeys(('killed', 'SURVIVED', 'the same program', 'equivalent',
                             'did not compile', 'not built here'), 0)
     survivors = WORK / 'survivors.txt'

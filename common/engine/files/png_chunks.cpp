@@ -144,7 +144,8 @@ void damaged_png(const std::string& how) { throw FileError("the PNG file is dama
 PngChunks read_png_chunks(Bytes file) {
   Bytes rest = file.subspan(png_signature.size());
   PngChunks found;
-  bool image_data_ended = false;
+  bool image_data_ended = false, is_srgb = false;
+  std::uint32_t gamma = 0;
 
   // The header comes first, and nothing is believed before it.
   const Chunk first = take_chunk(rest);
@@ -159,6 +160,7 @@ PngChunks read_png_chunks(Bytes file) {
     if (type == "IEND") {
       require(data.empty(), "its end marker (IEND) is not empty");
       require(image_data, "it has no pixels (IDAT)");
+      if (!is_srgb && found.profile.empty()) found.gamma = gamma;
       return found;
     }
     require(type != "IHDR", "it has two headers (IHDR)");
@@ -175,6 +177,14 @@ PngChunks read_png_chunks(Bytes file) {
       found.transparency = data;
     } else if (type == "eXIf") {
       if (found.order == PixelOrder{}) found.order = order_of_exif(data);
+    } else if (type == "iCCP") {  // a name, a 0, the method, the stream
+      const auto end = std::find(data.begin(), data.end(), std::uint8_t{0});
+      if (data.end() - end > 2)
+        found.profile = data.last(static_cast<std::size_t>(data.end() - end - 2));
+    } else if (type == "gAMA" && data.size() == 4) {
+      gamma = big_endian_32(data, 0);
+    } else if (type == "sRGB") {
+      is_srgb = true;
     } else if (type == "IDAT") {
       require(!image_data_ended, "its pixels (IDAT) are not in one piece");
       require(found.header.color_type != 3 || !found.palette.empty(),

@@ -29,6 +29,8 @@ struct PngChunks {
   Bytes palette;                  // three bytes a color; empty without a palette
   Bytes transparency;             // of tRNS: palette colors' alpha, or the transparent color
   PixelOrder order;               // of eXIf
+  Bytes profile;                  // of iCCP: its zlib stream; empty without one
+  std::uint32_t gamma = 0;        // of gAMA, times 100000; 0 where sRGB or a profile replaces it
   std::vector<Bytes> compressed;  // the zlib stream, in the pieces of the IDAT chunks, at least one
 };
 

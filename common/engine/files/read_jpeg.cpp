@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/files/color_profile.hpp"
 #include "engine/files/exif.hpp"
 #include "engine/files/file_error.hpp"
 #include "engine/files/image_limits.hpp"
@@ -244,6 +245,7 @@ class Reader {
   Reader(Bytes file, int later_bytes) : rest_(file.subspan(2)), later_bytes_(later_bytes) {}
 
   PixelOrder order;
+  std::string profile;  // what its user should know of it
 
   ImageSize read() {
     for (std::uint32_t marker = take_marker(); marker != 0xD9; marker = take_marker()) {
@@ -253,6 +255,11 @@ class Reader {
           marker == 0xE1 && order == PixelOrder{} && data.size() >= exif.size() &&
           std::equal(exif.begin(), exif.end(), data.begin()))
         order = order_of_exif(data.subspan(exif.size()));
+      // two bytes follow: the number of the part, and that of all parts
+      if (constexpr std::string_view icc("ICC_PROFILE\0\1", 13);
+          marker == 0xE2 && data.size() > icc.size() &&
+          std::equal(icc.begin(), icc.end(), data.begin()))
+        profile = note_on_profile(data.subspan(icc.size() + 1));
       if (marker == 0xDB) {
         quantization_tables(data);
       } else if (marker == 0xC4) {
@@ -625,7 +632,10 @@ Image read_jpeg(Bytes file, std::string* note, int later_bytes) {
     for (int column = 0; column < width; ++column, from += bytes)
       order.at(image, column, row) = {from[0], from[1], from[2]};
   }
-  if (note != nullptr && order != PixelOrder{}) *note = turned_by_exif;
+  if (note != nullptr) {
+    if (order != PixelOrder{}) add_note(*note, turned_by_exif);
+    add_note(*note, reader.profile);
+  }
   return image;
 }
 

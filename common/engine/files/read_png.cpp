@@ -23,8 +23,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/files/color_profile.hpp"
 #include "engine/files/exif.hpp"
 #include "engine/files/png_chunks.hpp"
+#include "engine/files/text.hpp"
 
 namespace texmap {
 namespace {
@@ -285,11 +287,20 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
     }
   }
   image.pixels.resize(area);
-  if (shows_black) {
-    if (!note->empty()) *note += " and ";
-    *note += "has transparent texels: they are drawn over black";
-  }
+  if (shows_black) add_note(*note, "has transparent texels: they are drawn over black");
   return png.order == PixelOrder{} ? std::move(image) : turned(image, png.order);
+}
+
+// What is to be known of colors that are not sRGB's.
+std::string note_on_colors(const PngChunks& png) {
+  if (png.gamma != 0 && (png.gamma < 40000 || png.gamma > 51000)) {
+    return text("is encoded by gamma %.3g: it is drawn as if by sRGB's curve, which is near 2.2",
+                1e5 / png.gamma);
+  }
+  std::array<std::uint8_t, 1 << 16> profile;  // of more bytes none is looked at
+  if (png.profile.size() < 6) return {};
+  const std::ptrdiff_t size = unpack(png.profile, profile);
+  return size < 0 ? "" : note_on_profile(Bytes(profile).first(static_cast<std::size_t>(size)));
 }
 
 }  // namespace
@@ -301,7 +312,10 @@ bool looks_like_png(Bytes file) {
 
 Image read_png(Bytes file, std::string* note, DeepImage* deep, int later_bytes) {
   const PngChunks png = read_png_chunks(file);
-  if (note != nullptr) *note = png.order == PixelOrder{} ? "" : turned_by_exif;
+  if (note != nullptr) {
+    *note = png.order == PixelOrder{} ? "" : turned_by_exif;
+    if (deep == nullptr) add_note(*note, note_on_colors(png));
+  }
   if (deep != nullptr && png.header.bit_depth == 16) {
     *deep = read_pixels<Rgb16>(file, png, nullptr, later_bytes);
     return {};

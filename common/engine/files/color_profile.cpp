@@ -1,0 +1,54 @@
+// What an ICC profile says about a picture's colors.
+#include "engine/files/color_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace texmap {
+namespace {
+
+/// The data of a tag with at least `least` bytes; empty if there is none.
+Bytes tag_of(Bytes profile, std::string_view name, std::size_t least) {
+  constexpr std::size_t table = 128;
+  if (profile.size() < table + 4) return {};
+  const std::size_t tags = big_endian_32(profile, table);
+  for (std::size_t i = 0, at = table + 4; i < tags && at + 12 <= profile.size(); ++i, at += 12) {
+    const std::size_t begin = big_endian_32(profile, at + 4), size = big_endian_32(profile, at + 8);
+    if (!std::equal(name.begin(), name.end(), profile.begin() + static_cast<std::ptrdiff_t>(at)) ||
+        size < least || begin > profile.size() || size > profile.size() - begin)
+      continue;
+    return profile.subspan(begin, size);
+  }
+  return {};
+}
+
+/// The description: ASCII, or the first of several languages in UTF-16, of which ASCII is kept.
+std::string name_of_profile(Bytes profile) {
+  Bytes text = tag_of(profile, "desc", 28);
+  if (text.empty()) return "another profile";
+  const bool is_wide = text[0] == 'm';  // mluc
+  const std::size_t begin = is_wide ? big_endian_32(text, 24) : 12;
+  const std::size_t size = big_endian_32(text, is_wide ? 20 : 8);
+  text = text.subspan(std::min(begin, text.size()));
+  std::string name;
+  for (const std::uint8_t c : text.first(std::min({size, text.size(), std::size_t{80}})))
+    if (c >= ' ' && c <= '~') name += static_cast<char>(c);
+  name.erase(name.find_last_not_of(' ') + 1);
+  return name.empty() ? "another profile" : name;
+}
+
+}  // namespace
+
+std::string note_on_profile(Bytes profile) {
+  const Bytes red = tag_of(profile, "rXYZ", 20), green = tag_of(profile, "gXYZ", 20);
+  if (red.empty() || green.empty()) return {};
+  const auto is = [](Bytes xyz, double x) {
+    return std::abs(static_cast<std::int32_t>(big_endian_32(xyz, 8)) / 65536.0 - x) < 0.01;
+  };
+  if (is(red, 0.4361) && is(green, 0.3851)) return {};
+  return "has the colors of " + name_of_profile(profile) +
+         ": they are drawn as if they were sRGB's; save it as sRGB for the right ones";
+}
+
+}  // namespace texmap
