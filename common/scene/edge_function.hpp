@@ -110,8 +110,8 @@ template <class Real>
 /// The crossing of a ray with a triangle; `a`, `b`, `c` are its corners as seen_along gives them.
 /// Law: a line meets as many triangles of a closed mesh from the front as from the back; through
 /// an edge or a corner it meets exactly one of the triangles there on each side.
-/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height); the point
-/// at `distance` within 28 of |corner| + |origin| of the plane, however small that height is.
+/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height), the
+/// point at `distance` within 28 of |corner| + |origin| of the plane, however small the height.
 /// docs/numerics.md proves law and bounds.
 template <class Real>
 [[nodiscard]] Crossing<Real> crossing(const RaySpace<Real>& space, const Vec3<Real>& a,

@@ -404,8 +404,8 @@ def main():
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--near', type=int, default=0, metavar='SUITES',
-                        help='where more suites include the file, run so many: its own, its room\'s, '
-                        'the cheapest; some mutants then survive that others would find')
+                        help='where more suites include the file, run so many: its own, those of '
+                        'its room, the cheapest; mutants then survive that others would find')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
     options = parser.parse_args()
     mutants = all_mutants(options.files)
