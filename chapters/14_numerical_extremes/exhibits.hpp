@@ -10,6 +10,7 @@
 #include "published/sphere.hpp"
 #include "published/triangle.hpp"
 #include "published/uv.hpp"
+#include "scene/edge_function.hpp"
 #include "scene/floor.hpp"
 #include "scene/paint.hpp"
 #include "scene/phong.hpp"
@@ -120,16 +121,20 @@ struct Needle : Placed {
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
-    const Triangle triangle{{-half_width, -0.5, 0}, {half_width, -0.5, 0}, {0, 0.5, 0}};
     const Real x = ray.direction.x / -ray.direction.z;
     const Real y = ray.direction.y / -ray.direction.z;
-    const Vec3<Real> p{x * Real(2 * half_width), y, Real(0)};
     // Where the triangle is, is not the question here: only the weights are.
     if (!(abs(y) < Real(0.5) && abs(x) < (Real(0.5) - y) * Real(0.5)))
       return {number_cast<Real>(background)};
-    const Barycentric<Real> weights = formulas == Formulas::published
-                                          ? published::barycentric_heron(triangle, p)
-                                          : barycentric(triangle, p);
+    const Vec3<Real> p{x * Real(2 * half_width), y, Real(0)};
+    const Vec3<Real> a{Real(-half_width), Real(-0.5), Real(0)}, b{-a.x, a.y, Real(0)};
+    const Vec3<Real> c{Real(0), Real(0.5), Real(0)};
+    const RaySpace<Real> space(Ray<Real>{p, {Real(0), Real(0), Real(-1)}});
+    const Crossing<Real> found =
+        crossing(space, seen_along(space, a), seen_along(space, b), seen_along(space, c));
+    const published::Barycentric<Real> weights =
+        formulas == Formulas::published ? published::barycentric_heron(a, b, c, p)
+                                        : published::Barycentric<Real>{found.a, found.b, found.c};
     const Uv<Real> uv{weights.b + weights.c * Real(0.5), weights.c};
     const bool number = uv.u == uv.u && uv.v == uv.v;
     return {number ? texture(uv) : number_cast<Real>(no_texel), uv, true, number};

@@ -1,7 +1,7 @@
 // The triangle article's weights of a triangle's corners, from side lengths alone: to compare with
 // and to show where they fail.
 #pragma once
-#include "scene/triangle.hpp"
+#include "math/vec3.hpp"
 
 namespace texmap::published {
 
@@ -15,11 +15,17 @@ template <class Real>
   return sqrt(s * (s - x) * (s - y) * (s - z));
 }
 
+/// The weights of a triangle's corners at a point; their sum is 1.
+template <class Real>
+struct Barycentric {
+  Real a, b, c;
+};
+
 /// The corners' weights at `p`: two by Heron's areas over the whole area, the third by subtraction.
 ///
 /// @param p  a point inside the triangle a, b, c
 /// Fails outside, because areas have no sign, on thin triangles like heron_area, and on triangles
-/// without an area, by a division by 0 or by a rounding error. `degenerate` is never set.
+/// without an area, by a division by 0 or by a rounding error.
 /// Source: the triangle article.
 template <class Real>
 [[nodiscard]] Barycentric<Real> barycentric_heron(const Vec3<Real>& a, const Vec3<Real>& b,
@@ -32,14 +38,7 @@ template <class Real>
   const Real whole = heron_area(length(b - a), bc, ca);
   const Real at_a = heron_area(pb, bc, pc);
   const Real at_b = heron_area(pc, ca, pa);
-  const Mask<Real> never = mask_of<Real>(false);
-  return {at_a / whole, at_b / whole, (whole - at_a - at_b) / whole, never};
-}
-/// The same for a triangle of a scene.
-template <class Real>
-[[nodiscard]] Barycentric<Real> barycentric_heron(const Triangle& triangle, const Vec3<Real>& p) {
-  return barycentric_heron(number_cast<Real>(triangle.a), number_cast<Real>(triangle.b),
-                           number_cast<Real>(triangle.c), p);
+  return {at_a / whole, at_b / whole, (whole - at_a - at_b) / whole};
 }
 
 }  // namespace texmap::published

@@ -1,5 +1,5 @@
 // Chapter 08's symptoms: weights of corners, their (u, v) and wrapping, with the word.
-#include "scene/triangle.hpp"
+#include "scene/edge_function.hpp"
 #include "support/symptoms.hpp"
 #include "texture/mesh_mapping.hpp"
 #include "texture/wrap.hpp"
@@ -9,22 +9,24 @@ using namespace texmap::test;
 
 namespace {
 
-constexpr Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+/// What a ray straight down at (x, y) crosses of a triangle.
+Crossing<double> at(double x, double y) {
+  const RaySpace<double> space(Ray<double>{{x, y, 1}, {0, 0, -1}});
+  return crossing(space, seen_along(space, Point{0, 0, 0}), seen_along(space, Point{4, 0, 0}),
+                  seen_along(space, Point{0, 4, 0}));
+}
 
 }  // namespace
 
 TEST_CASE("each weight belongs to the opposite area") {
-  const auto at = [](const Vec3d& p) { return barycentric<double>(triangle, p); };
-  expect_number("the weight of a at a", at({0, 0, 0}).a, 1,
-                {{0, "the weights of the corners are exchanged"}});
-  const auto inside = at({1, 2, 0});
-  expect_number("the weight of b at (1, 2)", inside.b, 0.25,
-                {{0.5, "the weights of the corners are exchanged"},
-                 {2, "an area was not divided by the whole one"},
-                 {4, "an area was not divided by the whole one"}});
+  const auto inside = at(1, 2);
+  expect_number("the weight of c at (1, 2)", inside.c, 0.5,
+                {{0.25, "the weights of the corners are exchanged"},
+                 {8, "an area was not divided by the whole one"},
+                 {-8, "an area was not divided by the whole one"}});
   expect_number("the sum of the weights", inside.a + inside.b + inside.c, 1, {},
                 "divide by the whole area");
-  expect_that(at({-1, 2, 0}).b < 0, "outside an edge a weight is negative",
+  expect_that(!at(-1, 2).met, "a ray beside an edge meets nothing",
               "areas lost their sign: every point is inside");
 }
 

@@ -1,22 +1,21 @@
-// Claims of common/scene/triangle.hpp, edge_function.hpp and floor.hpp: triangles, and the floor.
+// Claims of common/scene/edge_function.hpp and floor.hpp: weights in a triangle, and the floor.
 #include "claims.hpp"
 #include "published/triangle.hpp"
 #include "scene/edge_function.hpp"
 #include "scene/floor.hpp"
-#include "scene/triangle.hpp"
 
 namespace texmap::extremes {
 namespace {
 
-/// A triangle with corners that every number holds, and a point.
+/// A ray that is aimed at a point of a triangle with corners that every number holds.
 template <class T>
 struct Case {
-  Triangle triangle;
+  std::array<Point, 3> corners;
   Vec3<T> p;
+  Vec3<T> origin;
 
   [[nodiscard]] std::string text() const {
-    const auto& [a, b, c] = triangle;
-    return described(std::array{a, b, c}) + " at " + described(p);
+    return described(corners) + " at " + described(p) + " from " + described(origin);
   }
 };
 
@@ -26,175 +25,90 @@ Point as_corner(const Vec3<long double>& p) {  // triangles of a scene are doubl
   return number_cast<double>(number_cast<Corner>(p));
 }
 
-/// Which needles and caps are drawn, with a point inside or outside.
-struct Thin {
-  long double aspect;       ///< power of ten: how many times longer than wide, at most
-  int scale = 0;            ///< sizes are multiplied by powers of two up to this and its inverse
-  bool along_axis = false;  ///< or at any angle to the axes
-  long double farthest{};   ///< power of ten: the point is as many sides outside; 0: it is inside
-};
-
+/// Needles and caps at any angle, up to 10^aspect times longer than wide.
 template <class T>
-Case<T> draw_thin(Dice& dice, const Thin& thin) {
-  const Vec3<long double> along = thin.along_axis ? Vec3<long double>{1, 0, 0} : dice.direction();
-  const Vec3<long double> across =
-      (thin.along_axis ? Vec3<long double>{0, 0, 1} : dice.across(along)) *
-      dice.power_of_ten(-thin.aspect, 0);
+Case<T> draw_thin(Dice& dice, long double aspect) {
+  const Vec3<long double> along = dice.direction();
+  const Vec3<long double> across = dice.across(along) * dice.power_of_ten(-aspect, 0);
   // A cap's top is over its base, a needle's at its end.
   const long double foot = dice.once_in(2) ? dice.uniform(0, 1) : 1;
-  const Vec3<long double> from = dice.direction() * (thin.along_axis ? 0.0L : dice.uniform(0, 1));
-  const int size = dice.within(-thin.scale, thin.scale);
-  const auto corner = [&](const Vec3<long double>& p) { return scaled(as_corner<T>(p), size); };
-  const Triangle triangle{corner(from), corner(from + along), corner(from + along * foot + across)};
+  const Vec3<long double> from = dice.direction() * dice.uniform(0, 1);
   long double at_b = dice.uniform(0, 1);
   long double at_c = dice.uniform(0, 1);
   if (at_b + at_c > 1) {
     at_b = 1 - at_b;
     at_c = 1 - at_c;
   }
-  if (thin.farthest > 0) {
-    at_b = dice.sign() * dice.power_of_ten(0, thin.farthest);
-    at_c = dice.sign() * dice.power_of_ten(-thin.farthest, thin.farthest);
-  }
-  return {triangle,
-          scaled(number_cast<T>(from + along * (at_b + at_c * foot) + across * at_c), size)};
+  return {
+      {as_corner<T>(from), as_corner<T>(from + along), as_corner<T>(from + along * foot + across)},
+      number_cast<T>(from + along * (at_b + at_c * foot) + across * at_c),
+      number_cast<T>(dice.direction() * dice.power_of_ten(-1, 1))};
 }
 
-/// A triangle whose corners are equal or on a line: each a rounded multiple of one vector.
-template <class T>
-Triangle draw_flat(Dice& dice) {
-  const Vec3<long double> along = dice.direction() * dice.power_of_ten(-6, 6);
-  const auto corner = [&] {
-    return as_corner<T>(along * (dice.once_in(3) ? 1.0L : dice.uniform(-4, 4)));
-  };
-  return {corner(), corner(), corner()};
-}
-
-/// Any shape, flat ones too.
-template <class T>
-Case<T> draw_any(Dice& dice, int scale) {
-  Case<T> one = draw_thin<T>(dice, {.aspect = 20, .scale = scale});
-  if (dice.once_in(3)) one.triangle = draw_flat<T>(dice);
-  return one;
-}
-
-template <class T>
-double weights_off(const Barycentric<T>& got, const Case<T>& one) {
-  const Vec3<Digits50> a = exactly(one.triangle.a);
-  const Vec3<Digits50> b = exactly(one.triangle.b);
-  const Vec3<Digits50> c = exactly(one.triangle.c);
-  const Vec3<Digits50> p = exactly(one.p);
-  const Vec3<Digits50> n = cross(b - a, c - a);
-  const Vec3<Digits50> exact =
-      Vec3<Digits50>{dot(n, cross(b - p, c - p)), dot(n, cross(c - p, a - p)),
-                     dot(n, cross(a - p, b - p))} *
-      Digits50(1 / dot(n, n));
-  // Far outside, weights are large; errors grow with them, and where p sees the sides as almost
-  // one line also with the distance over the triangle's height.
-  const Digits50 most = std::max(Digits50(1), largest(exact));
-  const Digits50 longest = std::max({length(b - a), length(c - a), length(c - b)});
-  const Digits50 reach_over_height = length(p - a) * longest / length(n);
-  const Digits50 unit = roundoff<T>() * most * most * (1 + roundoff<T>() * reach_over_height);
-  return std::max({units_off(got.a, exact.x, unit), units_off(got.b, exact.y, unit),
-                   units_off(got.c, exact.z, unit)});
-}
-
-/// How far the weights are off. All lanes have the same case; the last one is checked.
-template <class Real, class Function>
-Measurement worst_weights(Function function, const Thin& thin) {
-  using T = Scalar<Real>;
-  return worst_over(1, [=](Dice& dice, Worst& worst) {
-    const Case<T> one = draw_thin<T>(dice, thin);
-    const Barycentric<Real> got = function(one.triangle, number_cast<Real>(one.p));
-    const std::size_t k = lanes<Real> - 1;
-    if (thin.farthest > 0 && lane(select(got.degenerate, Real(1), Real(0)), k) > 0) return;
-    worst.see(weights_off<T>({lane(got.a, k), lane(got.b, k), lane(got.c, k), false}, one),
-              [&] { return one.text(); });
-  });
-}
-
-/// Cases as `draw(dice)` gives them that are `wrong`.
-template <class Draw, class Wrong>
-Measurement count_cases(Draw draw, Wrong wrong) {
+/// The worst of `off(found, one, space, seen)` where `find(space, seen)` meets a triangle.
+template <class T, class Find, class Off>
+Measurement worst_crossing(Find find, Off off, long double aspect) {
   return worst_over(4, [=](Dice& dice, Worst& worst) {
-    const auto one = draw(dice);
-    worst.see(wrong(one), [&] { return one.text(); });
+    const Case<T> one = draw_thin<T>(dice, aspect);
+    const RaySpace<T> space(Ray<T>{one.origin, one.p - one.origin});
+    std::array<Vec3<T>, 3> seen;
+    for (std::size_t i = 0; i < 3; ++i) seen[i] = seen_along(space, number_cast<T>(one.corners[i]));
+    const Crossing<T> found = find(space, seen);
+    if (found.met) worst.see(off(found, one, seen), [&] { return one.text(); });
   });
 }
 
-/// Other weights, or another verdict of being flat, with the corners in another order.
-template <class T>
-bool minds_the_order(const Case<T>& one) {
-  const auto& [a, b, c] = one.triangle;
-  const Barycentric<T> w = barycentric(one.triangle, one.p);
-  const Barycentric<T> turned = barycentric<T>({b, c, a}, one.p);
-  const Barycentric<T> mirrored = barycentric<T>({a, c, b}, one.p);
-  if (w.degenerate) return !(turned.degenerate && mirrored.degenerate);
-  return !(turned.a == w.b && turned.b == w.c && turned.c == w.a && mirrored.a == w.a &&
-           mirrored.b == w.c && mirrored.c == w.b);
-}
-
-/// Weights that are no number, for any shape and any point.
-template <class T, class Function>
-Measurement count_nan(Function function) {
-  return count_cases(
-      [](Dice& dice) {
-        Case<T> one = draw_any<T>(dice, 0);
-        if (dice.once_in(3)) one.p = {dice.anything<T>(), dice.anything<T>(), dice.anything<T>()};
-        return one;
-      },
-      [=](const Case<T>& one) {
-        const Barycentric<T> got = function(one.triangle, one.p);
-        return std::isnan(got.a) || std::isnan(got.b) || std::isnan(got.c);
-      });
-}
-
-/// A ray that is aimed at a point of a triangle.
-template <class T>
-struct Aimed {
-  Case<T> at;
-  Ray<T> ray;
-
-  [[nodiscard]] std::string text() const { return at.text() + " from " + described(ray.origin); }
+/// How far the point at `distance` is from the triangle's plane, in unit roundoffs of corner +
+/// origin, in largest parts.
+constexpr auto from_the_plane = []<class T>(const Crossing<T>& found, const Case<T>& one,
+                                            const auto& /*seen*/) {
+  const Vec3<Digits50> a = exactly(one.corners[0]), b = exactly(one.corners[1]);
+  const Vec3<Digits50> c = exactly(one.corners[2]), origin = exactly(one.origin);
+  const Vec3<Digits50> normal = cross(b - a, c - a);
+  const Vec3<Digits50> direction = exactly(one.p - one.origin);
+  const Digits50 off = dot(normal, origin + direction * Digits50(found.distance) - a);
+  const Digits50 size = std::max({largest(a), largest(b), largest(c)}) + largest(origin);
+  return units_off(T(0), off / length(normal), roundoff<T>() * size);
+};
+/// How far the weights are from those of the places where the ray sees the corners.
+constexpr auto from_the_areas = []<class T>(const Crossing<T>& found, const Case<T>& /*one*/,
+                                            const std::array<Vec3<T>, 3>& seen) {
+  const auto area = [&](std::size_t i, std::size_t k) {
+    return Digits50(seen[i].x) * seen[k].y - Digits50(seen[i].y) * seen[k].x;
+  };
+  const Vec3<Digits50> exact = Vec3<Digits50>{area(1, 2), area(2, 0), area(0, 1)} *
+                               (1 / (area(1, 2) + area(2, 0) + area(0, 1)));
+  const Vec3<Digits50> off = exactly(Vec3<T>{found.a, found.b, found.c}) - exact;
+  return static_cast<double>(largest(off) / roundoff<T>());
 };
 
-/// How far the point at a crossing's distance is from the triangle's plane, in unit roundoffs of
-/// corner + origin, in largest parts. `distance(space, seen)` is negative where nothing is met.
-template <class T, class Distance>
-Measurement worst_off_plane(Distance distance, const Thin& thin) {
-  return worst_over(4, [=](Dice& dice, Worst& worst) {
-    const Case<T> at = draw_thin<T>(dice, thin);
-    const Vec3<T> origin = number_cast<T>(dice.direction() * dice.power_of_ten(-1, 1));
-    const Aimed<T> one{at, {origin, at.p - origin}};
-    const RaySpace<T> space(one.ray);
-    const std::array corners{at.triangle.a, at.triangle.b, at.triangle.c};
-    std::array<Vec3<T>, 3> seen;
-    for (std::size_t i = 0; i < 3; ++i) seen[i] = seen_along(space, number_cast<T>(corners[i]));
-    const T got = distance(space, seen);
-    if (got < T(0)) return;
-    const auto [a, b, c] =
-        std::array{exactly(corners[0]), exactly(corners[1]), exactly(corners[2])};
-    const Vec3<Digits50> normal = cross(b - a, c - a);
-    const Vec3<Digits50> there =
-        exactly(one.ray.origin) + exactly(one.ray.direction) * Digits50(got) - a;
-    const Digits50 size = std::max({largest(a), largest(b), largest(c)}) + largest(exactly(origin));
-    worst.see(units_off(T(0), dot(normal, there) / length(normal), roundoff<T>() * size),
-              [&] { return one.text(); });
-  });
-}
-
-constexpr auto by_crossing = [](const auto& space, const auto& seen) {
-  const auto found = crossing(space, seen[0], seen[1], seen[2]);
-  return found.met ? found.distance : -found.distance / found.distance;
+constexpr auto ours = []<class T>(const RaySpace<T>& space, const std::array<Vec3<T>, 3>& seen) {
+  return crossing(space, seen[0], seen[1], seen[2]);
 };
 /// The textbook's areas, each a difference of two rounded products.
-constexpr auto by_rounded_areas = [](const auto& space, const auto& seen) {
-  if (by_crossing(space, seen) < 0) return by_crossing(space, seen);
-  const auto area = [&](int i, int k) { return seen[i].x * seen[k].y - seen[i].y * seen[k].x; };
-  const std::array at{area(1, 2), area(2, 0), area(0, 1)};
-  return (at[0] * seen[0].z + at[1] * seen[1].z + at[2] * seen[2].z) / (at[0] + at[1] + at[2]) /
-         space.direction.z;
+constexpr auto rounded = []<class T>(const RaySpace<T>& space, const std::array<Vec3<T>, 3>& seen) {
+  Crossing<T> found = ours(space, seen);
+  const auto& [a, b, c] = seen;
+  const Vec3<T> at{b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x};
+  const T whole = at.x + at.y + at.z;
+  found.a = at.x / whole;
+  found.b = at.y / whole;
+  found.c = at.z / whole;
+  found.distance = (found.a * a.z + found.b * b.z + found.c * c.z) / space.direction.z;
+  return found;
 };
+
+/// Heron's weights of a point in a triangle that are no number.
+template <class T>
+Measurement count_nan_of_heron(long double aspect) {
+  return worst_over(4, [=](Dice& dice, Worst& worst) {
+    const Case<T> one = draw_thin<T>(dice, aspect);
+    const auto corner = [&](std::size_t i) { return number_cast<T>(one.corners[i]); };
+    const auto got = published::barycentric_heron(corner(0), corner(1), corner(2), one.p);
+    worst.see(std::isnan(got.a) || std::isnan(got.b) || std::isnan(got.c),
+              [&] { return one.text(); });
+  });
+}
 
 /// A ray over a floor.
 template <class T>
@@ -230,87 +144,40 @@ Measurement count_off_floor() {
   });
 }
 
-constexpr auto ours = [](const Triangle& triangle, const auto& p) {
-  return barycentric(triangle, p);
-};
-constexpr auto heron = [](const Triangle& triangle, const auto& p) {
-  return published::barycentric_heron(triangle, p);
-};
-
-template <class Real>
-Thin thin_of() {
-  return by_number<Real>(Thin{.aspect = 5, .scale = 60}, Thin{.aspect = 13, .scale = 900},
-                         Thin{.aspect = 13, .scale = 900});
-}
-template <class Real>
+/// Which needles and caps a claim is about, and the power of ten of how thin they are.
+template <class T>
+constexpr long double aspect = std::is_same_v<T, float> ? 5 : 13;
+template <class T>
 std::string shapes() {
-  return std::string("needles and caps at any angle, to ") +
-         by_number<Real>("1e5", "1e13", "1e13") + " times longer than wide";
-}
-template <class Real>
-std::string sized() {
-  return shapes<Real>() + "; sides of " +
-         by_number<Real>("1e-18 to 1e18", "1e-270 to 1e270", "1e-270 to 1e270");
+  return std::string("needles and caps at any angle, to ") + by_number<T>("1e5", "1e13", "1e13") +
+         " times longer than wide; origins of 0.1 to 10";
 }
 
 }  // namespace
 
 Family claims_of_triangles() {
   Family family{"Triangles and the floor",
-                "Exact: areas along the normal in 50 digits. The last rows are areas as they "
-                "round, and the areas by Heron's formula."};
-  const Bound by_weight{3, "u (largest weight)^2"};
-  const Bound far{10, "u (largest weight)^2 (1 + u distance / height)"};
-  const char* off_plane = "u of corner + origin, in largest parts";
-  const std::string any_shape = "triangles of any shape; points of anything the type can hold";
-  for_each_number([&]<class Real>() {
-    const Thin thin = thin_of<Real>();
-    family.add<Real>("barycentric", sized<Real>() + "; points inside", by_weight,
-                     worst_weights<Real>(ours, thin));
-    family.add<Real>("barycentric, outside", shapes<Real>() + "; points to 1e4 sides outside", far,
-                     worst_weights<Real>(ours, {.aspect = thin.aspect, .farthest = 4}));
-    family.add<Real>("barycentric, outside of the thinnest",
-                     "needles and caps along an axis, to u^-1.5 times longer than wide; points to "
-                     "1e4 sides outside",
-                     far,
-                     worst_weights<Real>(ours, {.aspect = by_number<Real>(10.8L, 24.L, 24.L),
-                                                .along_axis = true,
-                                                .farthest = 4}));
-  });
+                "Exact: areas in 50 digits. The last rows are areas as they round, and those by "
+                "Heron's formula."};
+  const Bound off_plane{28, "u of corner + origin, in largest parts"};
+  const Bound off_areas{10, "u"};
   for_each<float, double, long double>([&]<class T>() {
-    const Thin thin = thin_of<T>();
-    family.add<T>("barycentric, refused", sized<T>(), {0, "called degenerate"},
-                  count_cases([=](Dice& dice) { return draw_thin<T>(dice, thin); },
-                              [](auto& one) { return ours(one.triangle, one.p).degenerate; }));
-    family.add<T>(
-        "barycentric, order of the corners", "triangles of any shape, flat ones too; points inside",
-        {0, "other weights, to the last digit"},
-        count_cases([=](Dice& dice) { return draw_any<T>(dice, thin.scale); }, minds_the_order<T>));
-    family.add<T>("barycentric, flat",
-                  "corners equal or on a line through the origin, as nearly as they can be written",
-                  {0, "not called degenerate"},
-                  count_cases(
-                      [](Dice& dice) {
-                        const Triangle flat = draw_flat<T>(dice);
-                        return Case<T>{flat, number_cast<T>(dice.direction())};
-                      },
-                      [](auto& one) { return !ours(one.triangle, one.p).degenerate; }));
-    family.add<T>("barycentric, anything", any_shape, {0, "NaN"}, count_nan<T>(ours));
-    family.add<T>("crossing, from the plane", shapes<T>() + "; origins of 0.1 to 10",
-                  {28, off_plane}, worst_off_plane<T>(by_crossing, {.aspect = thin.aspect}));
+    family.add<T>("crossing, from the plane", shapes<T>(), off_plane,
+                  worst_crossing<T>(ours, from_the_plane, aspect<T>));
+    family.add<T>("crossing, weights of the corners as seen", shapes<T>(), off_areas,
+                  worst_crossing<T>(ours, from_the_areas, aspect<T>));
     family.add<T>("distance_to a Floor", "heights, origins and directions of 1e-6 to 1e6",
                   {2, "ulp"}, worst_floor<T>());
     family.add<T>("point_on a Floor, height", "any ray that meets it",
                   {0, "not the floor's to the bit"}, count_off_floor<T>());
   });
-  family.add_broken<float>("crossing by rounded areas", shapes<float>() + "; origins of 0.1 to 10",
-                           {28, off_plane},
-                           worst_off_plane<float>(by_rounded_areas, {.aspect = 5}));
-  const std::string function = "weights by Heron's formula";
-  family.add_broken<double>(
-      function, "needles and caps at any angle, to 1e4 times longer than wide; points inside",
-      by_weight, worst_weights<double>(heron, {.aspect = 4}));
-  family.add_broken<float>(function, any_shape, {0, "NaN"}, count_nan<float>(heron));
+  const char* by_rounded = "crossing by rounded areas";
+  family.add_broken<float>(by_rounded, shapes<float>(), off_plane,
+                           worst_crossing<float>(rounded, from_the_plane, aspect<float>));
+  family.add_broken<double>(by_rounded, shapes<double>(), off_areas,
+                            worst_crossing<double>(rounded, from_the_areas, aspect<double>));
+  family.add_broken<float>("weights by Heron's formula", shapes<float>(), {0, "NaN"},
+                           count_nan_of_heron<float>(aspect<float>));
   return family;
 }
 

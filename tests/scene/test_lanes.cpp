@@ -14,7 +14,6 @@
 #include "scene/path.hpp"
 #include "scene/phong.hpp"
 #include "scene/sky.hpp"
-#include "scene/triangle.hpp"
 #include "support/lanes.hpp"
 #include "support/made_pictures.hpp"
 #include "support/mesh_rays.hpp"
@@ -99,16 +98,6 @@ TEST_CASE_TEMPLATE("math, sampling and scene compute lane by lane", Many, PACKS)
       const Mask<Real> met = distance < infinity<Real>();
       const Hit<Real> hit = hit_at(sphere, ray, select(met, distance, Real(1)));
       return std::tuple(distance, hit.normal, hit.point, hit.outside);
-    });
-  }
-  for (const Triangle& triangle : {Triangle{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0.2}},
-                                   Triangle{{0, 0, 0}, {1, 0.5, 0.25}, {0.3, 0.1501, 0.075}},
-                                   Triangle{{1, 2, 3}, {1, 2, 3}, {4, 5, 7}}}) {
-    law<Many>("barycentric", [&]<class Real>(const In<Real>& x) {
-      const Vec3<Real> p = vector(x, 0, 2);
-      const Vec3<Real> at{p.x, p.y, p.z / floor(abs(p.x))};  // in many lanes nowhere
-      const Barycentric<Real> w = barycentric(triangle, at);
-      return std::tuple(w.a, w.b, w.c, number_of<Real>(w.degenerate));
     });
   }
   law<Many>("crossing", []<class Real>(const In<Real>& x) {
