@@ -110,9 +110,9 @@ template <class Real>
 /// The crossing of a ray with a triangle; `a`, `b`, `c` are its corners as seen_along gives them.
 /// Law: a line meets as many triangles of a closed mesh from the front as from the back; through
 /// an edge or a corner it meets exactly one of the triangles there on each side.
-/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height), the
-/// point at `distance` within 28 of |corner| + |origin| of the plane, however small the height.
-/// docs/numerics.md proves law and bounds.
+/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height); the
+/// point at `distance` within 34 of |corner| + |origin|, in largest parts, of the plane, however
+/// small the height. docs/numerics.md proves law and bounds.
 template <class Real>
 [[nodiscard]] Crossing<Real> crossing(const RaySpace<Real>& space, const Vec3<Real>& a,
                                       const Vec3<Real>& b, const Vec3<Real>& c) {
@@ -127,7 +127,7 @@ template <class Real>
   if (!any(met)) return result;
   Vec3<Real> at{bc.area, ca.area, ab.area};
   const Real products = abs(ab.product) + abs(bc.product) + abs(ca.product);
-  // In a thin triangle they are small differences of large products.
+  // A thin triangle's areas are small differences of large products.
   const Mask<Real> thin = met && products > Real(1.75) * abs(at.x + at.y + at.z);
   if (any(thin)) at = select(thin, areas_of_needle(a, b, c), at);
   const Real whole = select(met, at.x + at.y + at.z, Real(1));

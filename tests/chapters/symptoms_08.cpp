@@ -19,11 +19,12 @@ Crossing<double> at(double x, double y) {
 }  // namespace
 
 TEST_CASE("each weight belongs to the opposite area") {
-  const auto inside = at(1, 2);
-  expect_number("the weight of c at (1, 2)", inside.c, 0.5,
-                {{0.25, "the weights of the corners are exchanged"},
-                 {8, "an area was not divided by the whole one"},
-                 {-8, "an area was not divided by the whole one"}});
+  const auto inside = at(1, 0.5);
+  expect_number("the weight of b at (1, 0.5)", inside.b, 0.25,
+                {{0.625, "the weights of the corners are exchanged"},
+                 {0.125, "the weights of the corners are exchanged"},
+                 {4, "an area was not divided by the whole one"},
+                 {-4, "an area was not divided by the whole one"}});
   expect_number("the sum of the weights", inside.a + inside.b + inside.c, 1, {},
                 "divide by the whole area");
   expect_that(!at(-1, 2).met, "a ray beside an edge meets nothing",

@@ -93,8 +93,8 @@ TEST_CASE("a camera without a view is refused, and a sphere that no ray can meet
     ready.lesson.objects[2].shape.radius = radius;
     CHECK_THROWS_WITH_AS(ready.build(), doctest::Contains(why), std::logic_error);
   };
-  refused({.eye = {1, 2, 3}, .target = {1, 2, 3}}, 1, "no direction is up");
-  refused({.eye = {0, 8, 0}, .target = {0, 0, 0}}, 1, "no direction is up");
+  refused({.eye = {1, 2, 3}, .target = {1, 2, 3}}, 1, "no upper side");
+  refused({.eye = {0, 8, 0}, .target = {0, 0, 0}}, 1, "no upper side");
   for (const double angle : {0.0, 180.0, std::nan("")})
     refused({.eye = {0, 0, 8}, .target = {}, .fov_y_degrees = angle}, 1, "between 0 and 180");
   for (const double radius : {0.0, -1.0, std::nan("")})

@@ -40,7 +40,7 @@ TEST_CASE_TEMPLATE("P24: in the middle of a side the weights are 1/2, 1/2 and 0,
             Real(0.5) * unit_roundoff<Real>());  // one step of the numbers from 1/4 to 1/2
     const auto is = [&](const Point& p, double at_a, double at_b, double at_c) {
       const Crossing<Real> w = below<Real>(corners, p);
-      if (!w.met) return true;  // its neighbor is
+      if (!w.met) return true;  // then the triangle across the edge is met
       ++met;
       return w.a == Real(at_a) && w.b == Real(at_b) && w.c == Real(at_c);
     };

@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("the slivers of a flat fan do not shadow each other, however 
       const Point eye = turn(Point{0, 0, 1} + point_within(dice, 0.9)) * 5.0;
       const MeshHit<Real> hit = first_hit(
           fan, Ray<Real>{number_cast<Real>(eye), number_cast<Real>(normalize(aim - eye))});
-      if (!hit.met) continue;  // a rounded ray may miss the rim
+      if (!hit.met) continue;  // a rounded ray may miss so narrow a fan
       ++met;
       const Ray<Real> to_light{hit.outside,
                                number_cast<Real>(turn(Point{dice.between(-2, 2), 1, 1}))};

@@ -26,16 +26,28 @@ Bytes tag_of(Bytes profile, std::string_view name, std::size_t least) {
 /// The description: ASCII, or the first of several languages in UTF-16, of which ASCII is kept.
 std::string name_of_profile(Bytes profile) {
   Bytes text = tag_of(profile, "desc", 28);
-  if (text.empty()) return "another profile";
-  const bool is_wide = text[0] == 'm';  // mluc
-  const std::size_t begin = is_wide ? big_endian_32(text, 24) : 12;
-  const std::size_t size = big_endian_32(text, is_wide ? 20 : 8);
-  text = text.subspan(std::min(begin, text.size()));
   std::string name;
-  for (const std::uint8_t c : text.first(std::min({size, text.size(), std::size_t{80}})))
-    if (c >= ' ' && c <= '~') name += static_cast<char>(c);
+  if (!text.empty()) {
+    const bool is_wide = text[0] == 'm';  // mluc
+    const std::size_t begin = is_wide ? big_endian_32(text, 24) : 12;
+    const std::size_t size = big_endian_32(text, is_wide ? 20 : 8), step = is_wide ? 2 : 1;
+    text = text.subspan(std::min(begin, text.size()));
+    text = text.first(std::min({size, text.size(), std::size_t{80}}));
+    for (std::size_t i = 0; i + step <= text.size(); i += step) {
+      const std::uint8_t c = text[i + step - 1];
+      if ((!is_wide || text[i] == 0) && c >= ' ' && c <= '~') name += static_cast<char>(c);
+    }
+  }
   name.erase(name.find_last_not_of(' ') + 1);
-  return name.empty() ? "another profile" : name;
+  return name.empty() ? "another color space" : name;
+}
+
+/// True if bytes are light: a curve without a table, or with the exponent 1.
+bool is_linear(Bytes profile) {
+  const Bytes curve = tag_of(profile, "rTRC", 12);
+  if (curve.empty() || curve[0] != 'c') return false;
+  const std::uint32_t entries = big_endian_32(curve, 8);
+  return entries == 0 || (entries == 1 && curve.size() >= 14 && big_endian_16(curve, 12) == 0x0100);
 }
 
 }  // namespace
@@ -46,9 +58,11 @@ std::string note_on_profile(Bytes profile) {
   const auto is = [](Bytes xyz, double x) {
     return std::abs(static_cast<std::int32_t>(big_endian_32(xyz, 8)) / 65536.0 - x) < 0.01;
   };
-  if (is(red, 0.4361) && is(green, 0.3851)) return {};
-  return "has the colors of " + name_of_profile(profile) +
-         ": they are drawn as if they were sRGB's; save it as sRGB for the right ones";
+  const bool has_srgb_primaries = is(red, 0.4361) && is(green, 0.3851);
+  if (has_srgb_primaries && !is_linear(profile)) return {};
+  return "has its colors in " + name_of_profile(profile) +
+         ", not in sRGB, and they are drawn as if they were sRGB; convert it to sRGB for the right "
+         "ones";
 }
 
 }  // namespace texmap

@@ -6,9 +6,9 @@
 
 namespace texmap {
 
-/// What the user should know of a picture with this profile: the words of a note, empty if its red
-/// and green are sRGB's, and for profiles without them. Damaged ones say nothing.
-/// Source: ICC.1:2022, sections 7.2, 7.3, 9.2 and 10.
+/// What the user should know of a picture with this profile: the words of a note. Empty if its red
+/// and green are sRGB's and its curve is not a line, and for profiles without them or damaged ones.
+/// Source: ICC.1:2022, sections 7.2, 7.3, 9.2 and 10; ICC.1:2001-04, textDescriptionType.
 [[nodiscard]] std::string note_on_profile(Bytes profile);
 
 }  // namespace texmap

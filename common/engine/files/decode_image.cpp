@@ -100,7 +100,7 @@ Image decode_image(Bytes file, std::string* note, DeepImage* deep, int later_byt
   if (file.size() > max_file_bytes) throw FileError("the file is too long");
   if (file.empty()) throw FileError("the file is empty");
   if (looks_like_png(file)) return read_png(file, note, deep, later_bytes);
-  if (looks_like_jpeg(file)) return read_jpeg(file, note, later_bytes);
+  if (looks_like_jpeg(file)) return read_jpeg(file, note, later_bytes, deep == nullptr);
   refuse_kind(file, false);
 }
 

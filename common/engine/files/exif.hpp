@@ -1,18 +1,11 @@
 // What EXIF says about a picture.
 #pragma once
-#include <string>
 #include <string_view>
 
 #include "engine/files/bytes.hpp"
 #include "engine/files/pixel_order.hpp"
 
 namespace texmap {
-
-/// Joins what a picture's user should know.
-inline void add_note(std::string& note, std::string_view more) {
-  if (!note.empty() && !more.empty()) note += " and ";
-  note += more;
-}
 
 inline constexpr std::string_view turned_by_exif = "is turned as its EXIF says";
 

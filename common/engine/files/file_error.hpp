@@ -15,6 +15,12 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Joins what a file's user should know of it.
+inline void add_note(std::string& note, std::string_view more) {
+  if (!note.empty() && !more.empty()) note += "; it ";
+  note += more;
+}
+
 /// The path that a user typed: UTF-8 on Windows, any bytes elsewhere.
 [[nodiscard]] inline std::filesystem::path path_of(std::string_view typed) {
   return std::u8string(typed.begin(), typed.end());

@@ -604,7 +604,7 @@ bool looks_like_jpeg(Bytes file) {
   return file.size() >= 3 && file[0] == 0xFF && file[1] == 0xD8 && file[2] == 0xFF;
 }
 
-Image read_jpeg(Bytes file, std::string* note, int later_bytes) {
+Image read_jpeg(Bytes file, std::string* note, int later_bytes, bool has_colors) {
   Reader reader(file, later_bytes);
   const ImageSize size = reader.read();
   // With a fourth byte a pixel the decoder turns eight pixels at once into colors. A large picture
@@ -634,7 +634,7 @@ Image read_jpeg(Bytes file, std::string* note, int later_bytes) {
   }
   if (note != nullptr) {
     if (order != PixelOrder{}) add_note(*note, turned_by_exif);
-    add_note(*note, reader.profile);
+    if (has_colors) add_note(*note, reader.profile);
   }
   return image;
 }

@@ -297,7 +297,7 @@ std::string note_on_colors(const PngChunks& png) {
     return text("is encoded by gamma %.3g: it is drawn as if by sRGB's curve, which is near 2.2",
                 1e5 / png.gamma);
   }
-  std::array<std::uint8_t, 1 << 16> profile;  // of more bytes none is looked at
+  std::array<std::uint8_t, 1 << 16> profile;  // larger ones are not looked at
   if (png.profile.size() < 6) return {};
   const std::ptrdiff_t size = unpack(png.profile, profile);
   return size < 0 ? "" : note_on_profile(Bytes(profile).first(static_cast<std::size_t>(size)));

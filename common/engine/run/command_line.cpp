@@ -46,7 +46,7 @@ void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_
       throw;
     } catch (const std::bad_alloc&) {  // libc++ keeps some memory for this exception
     } catch (...) {
-      std::abort();
+      end_with("error: an exception was thrown where nothing catches it\n");
     }
   }
   end_with("error: not enough memory\n");
@@ -272,11 +272,18 @@ std::string CommandLine::help() const {
 void expect_little_memory() { std::set_terminate(give_up); }
 
 void expect_wrong_index() {
-  std::signal(SIGABRT, [](int /*signal*/) {
-    end_with(
-        "error: the standard library stopped the program: the line above says why. Most often an "
-        "index is too large: a list of 4 objects has objects[0] to objects[3]\n");
-  });
+  const auto handler = [](int signal) {
+    std::signal(signal, SIG_DFL);  // ends the program when this returns
+    std::fputs(
+        "error: the program was stopped, most often because an index is too large: a list of 4 "
+        "objects has objects[0] to objects[3]\n",
+        stderr);
+  };
+  std::signal(SIGABRT, handler);
+  std::signal(SIGILL, handler);
+#ifdef SIGTRAP
+  std::signal(SIGTRAP, handler);
+#endif
 }
 
 int run_guarded(const CommandLine& line, const std::function<void()>& body) {

@@ -148,7 +148,7 @@ class CommandLine {
 
 /// Makes running out of memory end with a message and status 1. Called before anything else.
 void expect_little_memory();
-/// The same for a wrong index, which the standard library notices in programs for learning.
+/// Says what most often stops a program for learning: its standard library notices wrong indices.
 void expect_wrong_index();
 
 /// What every main program does with errors: calls `body` and turns what it throws into a message

@@ -13,7 +13,6 @@
 #include "engine/draw/draw.hpp"
 #include "engine/draw/lesson_surfaces.hpp"
 #include "engine/draw/number_names.hpp"
-#include "engine/files/text.hpp"
 #include "engine/run/chosen.hpp"
 #include "engine/run/command_line.hpp"
 #include "engine/run/session.hpp"
@@ -87,16 +86,19 @@ void check_scene(const Lesson& lesson) {
   if constexpr (requires { lesson.stage.camera; }) {
     const Camera& camera = lesson.stage.camera;
     const Vec3d ahead = camera.target - camera.eye;
-    refuse_if(!(abs(ahead.x) + abs(ahead.z) > 0),
-              "the camera's `target` is its `eye`, or straight above or below it, so that no "
-              "direction is up: move it a little in x or z, by 0.001");
+    refuse_if(
+        !(abs(ahead.x) + abs(ahead.z) > 0),
+        "the camera's `target` must differ from its `eye` in x or z: straight up or down, the "
+        "picture has no upper side. Move one of them by 0.001");
     refuse_if(!(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180),
               "the camera's `fov_y_degrees` is not between 0 and 180");
   }
   if constexpr (HasSpheres<Lesson>) {
+    int number = 0;
     for (const auto& object : lesson.objects) {
       refuse_if(!(object.shape.radius > 0),
-                text("object %td: its radius is not above 0", &object - lesson.objects.data()));
+                "object " + std::to_string(number) + ": its radius is not above 0");
+      ++number;
     }
   }
 }
