@@ -59,6 +59,10 @@ TEST_CASE("--trade measures what the program offers and the user did not choose"
   CHECK(measured("07_earth_by_sampling", "--trade --time-limit 1", folder / "b.png")
             .err.starts_with("error: --time-limit stops a slow way"));
   CHECK(measured("01_plain_spheres", "--trade --number interval", folder / "b.png").status == 2);
+  const std::string gathered =
+      measured("12_environment_map", "--trade --samples 1", folder / "b.png").out;
+  for (const char* row : {"--sampler random", "--light mis", "--samples 4"})
+    CHECK(row_of(gathered, row).size() == 5);
   const std::string shown =
       measured("01_plain_spheres", "--trade --show normal", folder / "b.png").out;
   CHECK(row_of(shown, "--number extended").at(2) == "0");
