@@ -103,8 +103,10 @@ endfunction()
 # optimised a little: a lesson then compiles in about a second. They draw the same pictures. What
 # takes time when they run, and what measures times, is compiled as for release: the user's times
 # are those of fast programs.
-# A wrong index of a list, such as objects[4] of four, stops the program: libstdc++ says so, libc++ only traps, Visual C++ does not look.
-set(learn_definitions TEXMAP_LEARN TEXMAP_NO_FLATTEN _GLIBCXX_ASSERTIONS _LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_FAST)
+# A wrong index of a list, such as objects[4] of four, stops the program: libstdc++ says so, libc++
+# only traps, Visual C++ does not look.
+set(learn_definitions TEXMAP_LEARN TEXMAP_NO_FLATTEN
+  _GLIBCXX_ASSERTIONS _LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_FAST)
 if(TEXMAP_LEARN)
   set(CMAKE_PCH_PROLOGUE "")  # else the common headers count as a system's, and a switch that lacks a case is no error
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")

@@ -68,8 +68,8 @@ case $system in
     need aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
     need qemu-aarch64 qemu-user
     chapters="01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling 08_triangle_uv"
-    suites="$numbers test_image_texture test_conventions test_checkerboard test_bilinear test_sphere test_edge_function
-      test_directions test_double_pair test_dual"
+    suites="$numbers test_image_texture test_conventions test_checkerboard test_bilinear test_sphere
+      test_edge_function test_directions test_double_pair test_dual"
     run="qemu-aarch64 -L /usr/aarch64-linux-gnu"
     configure Linux aarch64 aarch64-linux-gnu-g++ /usr/aarch64-linux-gnu "qemu-aarch64;-L;/usr/aarch64-linux-gnu" "$o1" "$@"
     ;;

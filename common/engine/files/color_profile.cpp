@@ -42,7 +42,7 @@ std::string name_of_profile(Bytes profile) {
   return name.empty() ? "another color space" : name;
 }
 
-/// True if bytes are light: a curve without a table, or with the exponent 1.
+/// True if the bytes are light itself: the curve has no table, or the exponent 1.
 bool is_linear(Bytes profile) {
   const Bytes curve = tag_of(profile, "rTRC", 12);
   if (curve.empty() || curve[0] != 'c') return false;

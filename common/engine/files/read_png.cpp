@@ -291,7 +291,7 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
   return png.order == PixelOrder{} ? std::move(image) : turned(image, png.order);
 }
 
-// What is to be known of colors that are not sRGB's.
+// What the user should know of colors that are not sRGB's.
 std::string note_on_colors(const PngChunks& png) {
   if (png.gamma != 0 && (png.gamma < 40000 || png.gamma > 51000)) {
     return text("is encoded by gamma %.3g: it is drawn as if by sRGB's curve, which is near 2.2",

@@ -148,7 +148,7 @@ class CommandLine {
 
 /// Makes running out of memory end with a message and status 1. Called before anything else.
 void expect_little_memory();
-/// Says what most often stops a program for learning: its standard library notices wrong indices.
+/// Makes a program say what most likely stopped it: a wrong index that the standard library saw.
 void expect_wrong_index();
 
 /// What every main program does with errors: calls `body` and turns what it throws into a message
