@@ -133,6 +133,12 @@ void Chosen::check() const {
   if (was_given("--at") && !was_given("--zoom")) {
     throw UsageError("--at is the pixel that stays in its place under --zoom: give --zoom, too");
   }
+  for (const char* option : {"--plot", "--to", "--turntable"}) {
+    if ((trade || extremes) && was_given(option)) {
+      throw UsageError(std::string(trade ? "--trade" : "--extremes") +
+                       " measures one picture of the lesson's scene: leave out " + option);
+    }
+  }
   if (!machine_has(settings.instructions)) {
     throw UsageError(
         "--instructions: this machine does not have them; without the option the program uses the "

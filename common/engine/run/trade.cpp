@@ -156,8 +156,9 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
   Words other = many({}, std::min(16 * samples, 4096));
   if (!line.was_given("--seed")) other.insert(other.end(), {"--seed", "1"});
   part.right = collect.draw(other);
-  for (const int each : {samples, std::max(samples / 4, 1), 4 * samples})
-    collect.add(part, many({}, each));
+  for (const int each : {samples, std::max(samples / 4, 1), 4 * samples}) {
+    if (each != samples || part.ways.empty()) collect.add(part, many({}, each));
+  }
   for (const std::string& sampler : samplers) collect.add(part, {"--sampler", sampler});
   for (const std::string& light : collect.choices("--light")) collect.add(part, {"--light", light});
   return part;

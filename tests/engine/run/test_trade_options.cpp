@@ -63,6 +63,10 @@ TEST_CASE("--trade measures what the program offers and the user did not choose"
       measured("12_environment_map", "--trade --samples 1", folder / "b.png").out;
   for (const char* row : {"--sampler random", "--light mis", "--samples 4"})
     CHECK(row_of(gathered, row).size() == 5);
+  const std::string one = "\n  --samples 1 ";
+  CHECK(gathered.find(one) == gathered.rfind(one));
+  CHECK(measured("10_projections", "--trade --to cube", folder / "b.png")
+            .err.find("leave out --to") != std::string::npos);
   const std::string shown =
       measured("01_plain_spheres", "--trade --show normal", folder / "b.png").out;
   CHECK(row_of(shown, "--number extended").at(2) == "0");
@@ -86,5 +90,6 @@ TEST_CASE("in double a scene may have any size, and lie a million radii away") {
     CHECK(row_of(outcome.out, "float  everything moved by").at(2) != "never");
   }
   CHECK(measured("01_plain_spheres", "--extremes --number float", folder / "a.png").status == 2);
+  CHECK(measured("09_texture_filtering", "--extremes --plot x.svg", folder / "a.png").status == 2);
   CHECK(folder.size() == 0);
 }
