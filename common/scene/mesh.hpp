@@ -33,14 +33,14 @@ struct MeshHit : Hit<Real> {
 };
 
 /// Calls visit(number, crossing) if a ray crosses this triangle; not if it is `own` in all lanes.
-template <class Real, class Visit>
+///
+/// @param seen  called with a point's number, gives it as seen_along does
+template <class Real, class Seen, class Visit>
 void visit_crossing(const Mesh& mesh, int number, const RaySpace<Real>& space, const Real& own,
-                    const Visit& visit) {
+                    const Seen& seen, const Visit& visit) {
   if (!any(!(own == Real(number)))) return;
-  const auto seen = [&](int corner) {
-    return seen_along(space, number_cast<Real>(mesh.corner(number, corner)));
-  };
-  const Crossing<Real> found = crossing(space, seen(0), seen(1), seen(2));
+  const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(number)];
+  const Crossing<Real> found = crossing(space, seen(a), seen(b), seen(c));
   if (any(found.met)) visit(number, found);
 }
 
@@ -50,8 +50,11 @@ template <class Real, class Visit>
 void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& /*limit*/,
                        const Visit& visit, const Real& own = Real(-1)) {
   const RaySpace<Real> space(ray);
+  const auto seen = [&](int point) {
+    return seen_along(space, number_cast<Real>(mesh.points[static_cast<std::size_t>(point)]));
+  };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    visit_crossing(mesh, static_cast<int>(i), space, own, visit);
+    visit_crossing(mesh, static_cast<int>(i), space, own, seen, visit);
 }
 
 /// The three corners of the triangle with a number.

@@ -190,6 +190,9 @@ void cross_boxes(const BoxedMesh& mesh, const Ray<Real>& ray, const Real& limit,
     InBox inside;
   };
   const RaySpace<Real> space(ray);
+  const auto seen = [&](int point) {
+    return seen_along(space, number_cast<Real>(mesh.points[static_cast<std::size_t>(point)]));
+  };
   const BoxRay<Real> box_ray(space, ray.direction);
   const bool nearest_first = any(own < Real(0));
   Number end = box_ray.depth_of(limit);
@@ -204,7 +207,7 @@ void cross_boxes(const BoxedMesh& mesh, const Ray<Real>& ray, const Real& limit,
       unsigned may = box_ray.may_meet(leaf) & ((1U << inside.triangles) - 1);
       for (; may != 0; may &= may - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(may));
-        visit_crossing(mesh, leaf.triangles[i], space, own, visit);
+        visit_crossing(mesh, leaf.triangles[i], space, own, seen, visit);
       }
       end = box_ray.depth_of(limit);
       continue;
@@ -222,11 +225,32 @@ void cross_boxes(const BoxedMesh& mesh, const Ray<Real>& ray, const Real& limit,
   }
 }
 
+/// The most points of a mesh that a ray sees at once.
+inline constexpr std::size_t most_seen_at_once = 48;
+
+/// for_each_crossing without boxes: each point is seen once for all triangles at it.
+template <class Real, class Visit>
+void cross_all(const Mesh& mesh, const Ray<Real>& ray, const Visit& visit, const Real& own) {
+  const RaySpace<Real> space(ray);
+  std::array<std::array<Real, 3>, most_seen_at_once> seen;  // a Vec3 would be set to 0 first
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const Vec3<Real> point = seen_along(space, number_cast<Real>(mesh.points[i]));
+    seen[i] = {point.x, point.y, point.z};
+  }
+  const auto corner = [&](int point) {
+    const auto& [x, y, z] = seen[static_cast<std::size_t>(point)];
+    return Vec3<Real>{x, y, z};
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    visit_crossing(mesh, static_cast<int>(i), space, own, corner, visit);
+}
+
 template <class Real, class Visit>
 void for_each_crossing(const BoxedMesh& mesh, const Ray<Real>& ray, const Real& limit,
                        const Visit& visit, const Real& own) {
   if (!mesh.boxes.empty()) return cross_boxes(mesh, ray, limit, visit, own);
   const Mesh& list = mesh;
+  if (list.points.size() <= most_seen_at_once) return cross_all(list, ray, visit, own);
   for_each_crossing(list, ray, limit, visit, own);
 }
 

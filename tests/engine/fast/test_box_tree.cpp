@@ -55,6 +55,9 @@ TEST_CASE_TEMPLATE("the tree meets what the list meets, to the last bit", Real, 
   // In planes along the axes the boxes are flat.
   const Mesh cube = crate().mesh;
   CHECK(count_lost<Real>(cube, with_boxes(cube), 4000, 3) == 0);
+  // Without boxes: a mesh of few points, and one of many.
+  CHECK(count_lost<Real>(cube, BoxedMesh{cube, {}, {}}, 4000, 3) == 0);
+  CHECK(count_lost<Real>(ring, BoxedMesh{ring, {}, {}}, 400, 3) == 0);
 }
 
 TEST_CASE_TEMPLATE("a million triangles: no ray slips through, none is counted twice", Real, float,
