@@ -14,7 +14,7 @@
 namespace texmap::chapter_04 {
 namespace {
 
-/// A coordinate as a shade from black (0) to yellow (1), with a dark line at every eighth.
+/// A coordinate as a shade from dark blue (0) to yellow (1), with a dark line at every eighth.
 Rgb shade_of(double coordinate) {
   const double within = coordinate * 8 - std::floor(coordinate * 8);
   const double dim = within < 0.06 ? 0.45 : 1;

@@ -28,7 +28,7 @@ inline constexpr Rgb sky{0.6, 0.75, 1};
 
 /// Which formulas draw: the source documents' or the course's.
 enum class Formulas {
-  published,  ///< the source documents'; spheres by b^2 - ac, without their fixed t > 0.001
+  published,  ///< the source documents'; spheres by b^2 - ac; of shadows with their fixed t > 0.001
   robust,     ///< the course's, of the form that the scene needs
 };
 

@@ -21,7 +21,7 @@ using std::floor;
 using std::ldexp;
 using std::sqrt;
 
-/// Elementary functions of float, double and long double: std's, to 2 ulp, but made of operations
+/// Elementary functions of float, double and long double: std's, to 3 ulp, but made of operations
 /// that every machine rounds alike, so that pictures do not depend on the C library. Angles are in
 /// radians. Source: number/kinds/elementary.hpp, with its bounds.
 template <std::floating_point T>

@@ -330,7 +330,7 @@ class Sampler {
   ///
   /// @param pixel      from hash_pixels
   /// @param sample     0 to samples - 1
-  /// @param dimension  0 in the pixel, 1 on the lens, 2 in time, 3 and on for bounces: independent
+  /// @param dimension  0 in the pixel, then lens and time if they blur, then bounces
   template <class Real>
   [[nodiscard]] Point2<Real> pair(const UInt<Real>& pixel, std::uint32_t sample,
                                   std::uint32_t dimension) const {

@@ -110,9 +110,9 @@ template <class Real>
 /// The crossing of a ray with a triangle; `a`, `b`, `c` are its corners as seen_along gives them.
 /// Law: a line meets as many triangles of a closed mesh from the front as from the back; through
 /// an edge or a corner it meets exactly one of the triangles there on each side.
-/// Bound: weights within 16 unit roundoffs of (distance to the corners / smallest height); the
-/// point at `distance` within 34 of |corner| + |origin|, in largest parts, of the plane, however
-/// small the height. docs/numerics.md proves law and bounds.
+/// Bound: the weights' mean of the corners is the ray's place within 10 unit roundoffs of the
+/// corners as seen; the point at `distance` is within 34 of |corner| + |origin|, in largest parts,
+/// of the plane, however small the height. docs/numerics.md proves the law and the second bound.
 template <class Real>
 [[nodiscard]] Crossing<Real> crossing(const RaySpace<Real>& space, const Vec3<Real>& a,
                                       const Vec3<Real>& b, const Vec3<Real>& c) {

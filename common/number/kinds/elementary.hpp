@@ -266,7 +266,7 @@ template <class Real>
   }
 }
 
-/// The angle of the point (x, y), -pi to pi. Bound: 2 ulp; packs of float 2.2.
+/// The angle of the point (x, y), -pi to pi. Bound: 2.2 ulp; packs of float 2.4.
 /// In all cases as std::atan2, but packs give NaN for (0, 0) and for two infinities.
 template <class Real>
 [[nodiscard]] Real atan2(const Real& y, const Real& x) {

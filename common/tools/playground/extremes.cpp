@@ -86,7 +86,7 @@ std::vector<Dial> all_dials(const Image& earth) {
        })},
       {"needle", "height of the triangle over its width", 1e4, 1, 1e6,
        "areas from the sides, by Heron: √(s (s − a) (s − b) (s − c))",
-       "areas by vector products, with their rounding errors", drawing([=](double ratio) {
+       "edge functions, from exact products where they cancel", drawing([=](double ratio) {
          return Needle{{"", "", towards_origin({0, 0, 1}, 0.55)}, texture, 0.5 / ratio};
        })},
       {"far-floor", "cells from (0, 0, 0)", 1e7, 10, 1e9, "cells counted from (0, 0, 0)",
