@@ -16,7 +16,7 @@ struct OnDisk {
 
 /// A uniform point of the unit disk: concentric squares become concentric circles.
 ///
-/// @param sample  u and v in [0, 1)
+/// @param sample  u and v in [0, 1), multiples of 2^-24
 /// @return        inside the disk, never on its edge or at its center
 /// Source: Shirley and Chiu, "A Low Distortion Map Between Disk and Square" (1997).
 template <class Real>

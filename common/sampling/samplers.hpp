@@ -97,7 +97,7 @@ struct Strata {
   }
 
   /// A point of stratum `i`, chosen by 16 random bits, for unit_interval.
-  /// For other counts than powers of two its end is left out; the mean is up to 2^-17 too small.
+  /// For other counts than powers of two its end is left out; the mean is up to 2^-15.9 too small.
   template <class Integers>
   [[nodiscard]] Integers point(const Integers& i, const Integers& random) const {
     return i * step + (random * width + round_up);

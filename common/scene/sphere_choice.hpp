@@ -1,5 +1,6 @@
 // Which form a scene's spheres need.
 #pragma once
+#include "scene/shapes.hpp"
 #include "scene/sphere.hpp"
 
 namespace texmap {
@@ -16,18 +17,33 @@ namespace texmap {
          sphere.radius > 1 / longest;
 }
 
+/// Calls use(sphere) if a shape is one.
+template <class Shape, class Use>
+void if_sphere(Shape& shape, const Use& use) {
+  if constexpr (requires { shape.form; }) use(shape);
+}
+template <class... Shapes, class Use>
+void if_sphere(AnyShape<Shapes...>& any, const Use& use) {
+  std::visit([&](auto& shape) { if_sphere(shape, use); },
+             static_cast<std::variant<Shapes...>&>(any));
+}
+
 /// Gives hybrid to the spheres for which robust does not hold.
 ///
-/// @param objects  each with a `shape`; rays start at the eye and on all of them
+/// @param objects  each with a `shape`; rays start at the eye and on all spheres
 template <class Objects>
 void keep_to_domains(Objects& objects, const Point& eye, int digits) {
   for (auto& object : objects) {
-    Sphere<>& sphere = object.shape;
-    double distance = length(eye - sphere.center);
-    for (const auto& other : objects)
-      distance = max(distance, length(other.shape.center - sphere.center) + other.shape.radius);
-    if (sphere.form == SphereForm::robust && !robust_form_holds(sphere, distance, digits))
-      sphere.form = SphereForm::hybrid;
+    if_sphere(object.shape, [&](Sphere<>& sphere) {
+      double distance = length(eye - sphere.center);
+      for (auto& other : objects) {
+        if_sphere(other.shape, [&](const Sphere<>& from) {
+          distance = max(distance, length(from.center - sphere.center) + from.radius);
+        });
+      }
+      if (sphere.form == SphereForm::robust && !robust_form_holds(sphere, distance, digits))
+        sphere.form = SphereForm::hybrid;
+    });
   }
 }
 

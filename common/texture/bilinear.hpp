@@ -22,8 +22,8 @@ struct BilinearTexture {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (image.pixels.empty() && deep.empty()) return gray(Real(0));
-    const Real width = Real(max(image.width, deep.width));
-    const Real height = Real(max(image.height, deep.height));
+    const Real width = Real(deep.empty() ? image.width : deep.width);
+    const Real height = Real(deep.empty() ? image.height : deep.height);
     const Real x = wrapped_coordinate(Wrap::repeat, uv.u) * width - Real(0.5);
     const Real y = wrapped_coordinate(Wrap::clamp, uv.v) * height - Real(0.5);
     const auto texel_at = [&](const Real& column, const Real& row) {

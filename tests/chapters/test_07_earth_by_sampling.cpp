@@ -170,6 +170,46 @@ TEST_CASE("a budget changes no more of the picture than it allows") {
   CHECK_THROWS_AS((void)lesson_with({"--budget", "texels=none"}), UsageError);
 }
 
+TEST_CASE("a budget draws a far sphere in float by a form that holds there, or is refused") {
+  const auto drawn = [](std::vector<std::string> words) {
+    words.insert(words.end(), {"--quiet", "--scene", "book", "--zoom", "1e5"});
+    Ready<Lesson> ready("far", words);
+    ready.lesson.objects[0].shape.radius = 1e-5;  // 1.2e6 radii away
+    ready.build();
+    return Session(ready.chosen).draw(ready.lesson, 32, 18);
+  };
+  const Image exact = drawn({});
+  CHECK(count_different(exact, drawn({"--budget", "texels=1"}), 4) == 0);
+  CHECK_THROWS_AS((void)drawn({"--number", "float", "--budget", "texels=1e-6"}), UsageError);
+}
+
+TEST_CASE("without an object the picture is the sky") {
+  Ready<Lesson> ready("sky", {"--quiet", "--scene", "book", "--sky", "constant"});
+  ready.build();
+  ready.lesson.objects = {};
+  const Image sky = Session(ready.chosen).draw(ready.lesson, 16, 9);
+  CHECK(count_different(sky, Image(16, 9, sky.pixels[0])) == 0);
+  CHECK(sky.pixels[0].b > 0);
+}
+
+/// The lesson as somebody writes it who wants double alone.
+struct InDouble : Lesson {
+  static constexpr About about{.idea = "in double", .numbers = Numbers::only_double};
+  Color<double> operator()(const auto& scene, const PixelPlace<double>& at, auto& random) const {
+    return Lesson::operator()(scene, at, random);
+  }
+};
+TEST_CASE("a lesson of paths in plain double is drawn in double, whatever was chosen") {
+  const Lesson lesson = lesson_with({});
+  InDouble plain;
+  static_cast<Lesson&>(plain) = lesson;
+  const View<> view = view_of(lesson.stage.camera, 32, 18);
+  const auto bounds = bounds_of_view(plain.objects, plain.stage.sky, plain.sampling.lens, {}, 16);
+  const Film film = gather(plain, plain.objects, view, {Sampler(SamplerKind::sobol, 16, 0)}, bounds,
+                           NumberKind::float_pack, {});
+  CHECK(apart(film, film_of(lesson, 16, {.size = {32, 18}})) == 0);
+}
+
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
   const Lesson lesson = lesson_with({"--sky", "gradient"});
   for (const SamplerKind kind : {SamplerKind::random, SamplerKind::stratified,

@@ -25,7 +25,7 @@ struct Convex : Cylinder {  // as if copied from a rectangle
 
 /// A wall before the camera, with a fault in its distance or in its hit.
 struct Wall {
-  double behind = 1, length = 1, lift = 1e-9;
+  double behind = 1, length = 1, lift = 1e-9, beside = 0;
 
   [[nodiscard]] static constexpr bool convex() { return false; }
 };
@@ -34,7 +34,7 @@ double distance_to(const Wall& wall, const Ray<double>& ray) {
   return t > 0 ? t * wall.behind : infinity<double>();
 }
 Hit<double> hit_at(const Wall& wall, const Ray<double>& ray, double distance) {
-  const Point point = ray.origin + ray.direction * distance;
+  const Point point = ray.origin + ray.direction * distance + Vec3d{wall.beside, 0, 0};
   return {{0, 0, wall.length}, point, point + Vec3d{0, 0, wall.lift}};
 }
 
@@ -60,7 +60,7 @@ void check_with(const AShape& shape, const Paint& paint) {
 
 TEST_CASE("a name that promises another kind of picture is refused") {
   const test::TemporaryFolder folder;
-  for (const char* name : {"x.jpg", "x.jpeg", "x.gif", "x.bmp", "x.webp"})
+  for (const char* name : {"x.jpg", "x.jpeg", "x.gif", "x.bmp", "x.webp", "x.JPG"})
     CHECK(status_of(folder / name) == 2);
   CHECK(folder.size() == 0);
   CHECK(status_of(folder / "jpg") == 0);
@@ -81,6 +81,7 @@ TEST_CASE("a shape is refused whose hits are behind the eye, turned away, or not
     CHECK_THROWS_WITH_AS(check_with(wall, Solid{}), doctest::Contains(why), std::logic_error);
   };
   refused({.behind = -1}, "not ahead of the ray");
+  refused({.beside = 1}, "not at distance_to");
   refused({.length = 3}, "length is not 1");
   refused({.length = -1}, "does not face the ray");
   for (const double lift : {0.0, -1e-9, 5.0, std::nan("")}) refused({.lift = lift}, "`outside`");
@@ -99,6 +100,19 @@ TEST_CASE("a camera without a view is refused, and a sphere that no ray can meet
     refused({.eye = {0, 0, 8}, .target = {}, .fov_y_degrees = angle}, 1, "between 0 and 180");
   for (const double radius : {0.0, -1.0, std::nan("")})
     refused({.eye = {0, 0, 8}, .target = {}}, radius, "object 2: its radius is not above 0");
+  struct Mixed {
+    Stage stage;
+    std::vector<Painted<Solid, AnyShape<Cylinder, Sphere<>>>> objects = {
+        {.shape = Cylinder{}, .paint = {}}, {.shape = Sphere<>{{0, 0, 0}, -1}, .paint = {}}};
+  } mixed;
+  CHECK_THROWS_WITH_AS(check_scene(mixed), doctest::Contains("object 1: its radius"),
+                       std::logic_error);
+}
+
+TEST_CASE("of objects with an index above 31 none is expected to change") {
+  CHECK(ObjectSet{0, 31}.contains(31));
+  CHECK_FALSE(ObjectSet{0, 31}.contains(32));
+  CHECK_FALSE(ObjectSet{0, 31}.contains(63));
 }
 
 TEST_CASE("a lesson is refused whose options are not its own, or that forgets its samples") {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "number/kinds/pack.hpp"
+#include "scene/paint.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap::test {
@@ -89,6 +90,11 @@ TEST_CASE("robust gives way to hybrid where it does not hold") {
   keep_to_domains(objects, {0, 0, 1}, 24);
   CHECK(objects[0].shape.form == hybrid);
   CHECK(objects[1].shape.form == robust);
+  // Shapes of another kind beside them do not matter.
+  std::vector<Painted<Solid, AnyShape<Sphere<>, Cylinder>>> mixed{
+      {.shape = Cylinder{}, .paint = {}}, {.shape = Sphere<>{{0, 0, 0}, 1e-5}, .paint = {}}};
+  keep_to_domains(mixed, {0, 0, 1}, 24);
+  CHECK(std::get<Sphere<>>(mixed[1].shape).form == hybrid);
 }
 
 TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them",

@@ -37,19 +37,20 @@ template <class Lesson>
 [[nodiscard]] Image draw_certainty_map(const Lesson& lesson, const View<>& view,
                                        const RenderSettings& settings) {
   Image image(view.width, view.height);
-  std::vector<int> levels(image.pixels.size());
+  std::vector<std::uint8_t> levels(image.pixels.size());
   for_each_row(view.height, settings.threads, settings.progress, [&](int row) {
     for (int column = 0; column < view.width; ++column) {
       const auto color =
           pixel_color<Interval>(lesson, view, Interval(column), Interval(row), settings.samples);
       Rgb8& pixel = image.at(column, row);
       pixel = shade_of_uncertainty(color, 0);
-      levels[static_cast<std::size_t>(&pixel - image.pixels.data())] = uncertain_levels(color);
+      levels[static_cast<std::size_t>(&pixel - image.pixels.data())] =
+          static_cast<std::uint8_t>(uncertain_levels(color));
     }
   });
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
-      int widest = 0;
+      std::uint8_t widest = 0;
       for (int y = std::max(row - 1, 0); y <= std::min(row + 1, view.height - 1); ++y) {
         const auto at = levels.begin() + static_cast<std::ptrdiff_t>(y) * view.width;
         widest = std::max(widest, *std::max_element(at + std::max(column - 1, 0),

@@ -18,13 +18,14 @@ struct PictureSize {
 /// A cube's is a multiple of (3, 2), so that no texel lies on two faces.
 [[nodiscard]] PictureSize converted_size(const Image& image, Projection from, Projection to);
 
+/// A texel's place, from the left and from the top.
+struct Texel {
+  int column, row;
+};
 /// The texel that a neighbor of a texel is, on its side of an edge of the layout or beyond.
 ///
-/// @param home           a texel inside the picture
-/// @param column, row    at most one away from it; may lie outside the picture
-struct Texel {
-  int column, row;  ///< from the left and from the top
-};
+/// @param home         a texel inside the picture
+/// @param column, row  at most one away from it; may lie outside the picture
 [[nodiscard]] Texel texel_beside(Projection projection, const Texel& home, int column, int row,
                                  int width, int height);
 

@@ -48,7 +48,7 @@ struct DrawWork {
 template <class Lesson, class Paint>
 struct GatherWork {
   using Result = Film;
-  static constexpr bool for_packs = true;
+  static constexpr bool for_packs = compiles_for_packs<Lesson>;
 
   const Lesson& lesson;
   const std::vector<Painted<Paint>>& objects;  ///< the lesson's or a plan's
@@ -147,8 +147,12 @@ template <class Lesson, class Paint>
                           const View<>& view, const Sampler& sampler,
                           const std::optional<ViewBounds>& bounds, NumberKind number,
                           const RenderSettings& settings) {
-  return run_in_number(GatherWork<Lesson, Paint>{lesson, objects, view, sampler, bounds, settings},
-                       number, settings.instructions);
+  const GatherWork<Lesson, Paint> work{lesson, objects, view, sampler, bounds, settings};
+  if constexpr (has_only_double<Lesson>) {
+    return work.template run<double>();
+  } else {
+    return run_in_number(work, number, settings.instructions);
+  }
 }
 
 }  // namespace texmap

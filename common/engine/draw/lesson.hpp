@@ -21,7 +21,7 @@ enum class Numbers {
   only_double,   ///< double: code without templates
 };
 
-/// A set of objects of a scene, by their index.
+/// A set of objects of a scene, by their index, below 32.
 struct ObjectSet {
   unsigned bits = 0;
 
@@ -29,7 +29,9 @@ struct ObjectSet {
   constexpr ObjectSet(std::initializer_list<int> indices) {
     for (const int index : indices) bits |= 1U << index;
   }
-  [[nodiscard]] constexpr bool contains(int index) const { return (bits >> index & 1U) != 0; }
+  [[nodiscard]] constexpr bool contains(int index) const {
+    return index < 32 && (bits >> index & 1U) != 0;
+  }
 };
 
 /// Columns and rows of a picture, in pixels.

@@ -59,11 +59,12 @@ constexpr bool pack_numbers = wide_numbers;
 
 /// How a picture is rendered; only `samples` changes what it shows.
 struct RenderSettings {
-  int samples = 1;                                         ///< rays per pixel, at least 1
-  int threads = 0;                                         ///< 0: all cores
-  Instructions instructions = widest_instructions();       ///< the widest to use
-  std::function<void(int done, int total)> progress = {};  ///< after each row, from any thread
-  std::function<void(double error)> error_so_far = {};     ///< the same with a Film's error
+  int samples = 1;                                    ///< rays per pixel, at least 1
+  int threads = 0;                                    ///< 0: all cores
+  Instructions instructions = widest_instructions();  ///< the widest to use
+  std::function<void(int done, int total)> progress =
+      {};  ///< of rows, or of blocks of rows; from any thread
+  std::function<void(double error)> error_so_far = {};  ///< the same with a Film's error
   /// Gets the light of each complete row, from any thread; the Film then keeps none of it.
   std::function<void(int row, const Rgb* light)> take_row = {};
   std::function<void(long uncertain, long pixels)> certainty = {};  ///< after a certainty map

@@ -1,5 +1,7 @@
 // Runs a work with the wide packs of a file. Programs get it from wide_packs.cpp.in alone.
 #pragma once
+#include <stdexcept>
+
 #include "engine/draw/draw.hpp"
 
 namespace texmap {
@@ -13,7 +15,7 @@ typename Work::Result run_in_wide_packs([[maybe_unused]] const Work& work,
   if constexpr (Work::for_packs) {
     return run_in_packs<simd::default_arch>(work, number);
   } else {
-    return {};  // never called: the lesson says in `about` that it does not run on packs
+    throw std::logic_error("a lesson that does not run on packs was drawn with them");
   }
 }
 

@@ -34,7 +34,8 @@ struct BoxedMesh : Mesh {
   std::vector<MeshLeaf> leaves;  ///< the triangles again, as the boxes hold them
 };
 
-/// The mesh with its boxes; of equal triangles they hold two. Both take below 100 bytes a triangle.
+/// The mesh with its boxes; of equal triangles they hold two. Usual meshes take below 100 bytes a
+/// triangle with them.
 /// Domain: at most 2^21 triangles. Source: surface area heuristic with bins, Wald (2007).
 [[nodiscard]] BoxedMesh with_boxes(Mesh mesh);
 

@@ -55,7 +55,7 @@ struct KernelPlan {
 
 /// The plan for a textured surface with many samples per pixel.
 ///
-/// @param reads  how many texels the picture reads
+/// @param reads  how many texels the picture reads at most
 /// Domain, in levels: a sky that is nowhere darker than half of its brightest place. A sample
 /// at the edge of a texel may read the neighbor, which is not counted.
 [[nodiscard]] KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads);

@@ -51,6 +51,9 @@ void check_objects(const Objects& objects, const Camera& camera) {
       if (roundness(object.shape) == 2) return;
       const Vec3d lift = hit.outside - hit.point;
       refuse_if(nearest.distance <= 0, hit.object, "its distance_to is not ahead of the ray");
+      const Vec3d along = ray.direction * nearest.distance;
+      refuse_if(!(length(hit.point - ray.origin - along) <= 0.01 * length(along)), hit.object,
+                "the point of its hit_at is not at distance_to along the ray");
       refuse_if(!(abs(length(hit.normal) - 1) < 1e-6), hit.object, "its normal's length is not 1");
       refuse_if(roundness(object.shape) == 0 && dot(hit.normal, ray.direction) > 0.01, hit.object,
                 "its normal does not face the ray");

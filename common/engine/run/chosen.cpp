@@ -148,9 +148,11 @@ void Chosen::check() const {
     throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
                      std::to_string(settings.height) + " must be at most 67108864 (2^26) pixels");
   }
+  std::string lower = settings.out;
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   for (const std::string_view ending :
        {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp"}) {
-    if (settings.out.ends_with(ending)) {
+    if (lower.ends_with(ending)) {
       throw UsageError("--out " + settings.out +
                        ": pictures are written as PNG; give a name that ends in .png");
     }

@@ -30,8 +30,8 @@ Film gather_within_limits(const SamplingOptions& options, int most,
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool done = options.target_error > 0 && 255 * error <= options.target_error;
-    // The next pair takes twice as long as all pairs before it.
-    const bool late = options.time_limit > 0 && 3 * seconds > options.time_limit;
+    const double next = seconds * pair / static_cast<double>(first.samples());
+    const bool late = options.time_limit > 0 && seconds + next > options.time_limit;
     if (done || late || 2 * (first.samples() + pair) > most) {
       first.add(second);
       first.error = error;

@@ -2,16 +2,19 @@
 #pragma once
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "engine/draw/develop.hpp"
 #include "engine/draw/draw.hpp"
+#include "engine/draw/number_names.hpp"
 #include "engine/files/system.hpp"
 #include "engine/run/command_line.hpp"
 #include "engine/run/sampling_options.hpp"
 #include "engine/run/session.hpp"
+#include "scene/sphere_choice.hpp"
 
 namespace texmap {
 
@@ -23,7 +26,7 @@ using GatherPattern = std::function<Film(int samples, std::uint32_t pattern)>;
 ///
 /// @param most          samples per pixel
 /// @param error_so_far  set after each pair
-/// Errors: UsageError if `most` is too small for a limit or too large for a pattern.
+/// Errors: UsageError if `most` is too small for a limit.
 [[nodiscard]] Film gather_within_limits(const SamplingOptions& options, int most,
                                         std::atomic<double>& error_so_far,
                                         const GatherPattern& gather);
@@ -73,11 +76,21 @@ template <class Lesson>
   const double reads = double{1} * width * height * most;
   if (!settings.budget.is_exact() && lesson.objects.size() > 1)
     throw UsageError("--budget is for a lone object, which lights no other: add --scene book");
-  const KernelPlan plan = plan_for(lesson.objects.front().paint, settings.budget, reads);
+  const KernelPlan plan = lesson.objects.empty()
+                              ? KernelPlan{}
+                              : plan_for(lesson.objects.front().paint, settings.budget, reads);
+  if (!settings.budget.is_exact() && is_float(settings.number) && !plan.floats_are_enough) {
+    throw UsageError(
+        "--budget: the rounding of float is larger than that: leave out --number, or allow more");
+  }
   if (session.chosen.was_given("--budget")) session.chosen.say(plan.text);
   const bool float_packs = plan.floats_are_enough && !session.chosen.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
-  const auto& objects = objects_to_draw(plan, lesson);
+  auto&& objects = objects_to_draw(plan, lesson);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(objects)>>) {
+    if (float_packs)  // the spheres' forms were chosen for double
+      keep_to_domains(objects, lesson.stage.camera.eye, std::numeric_limits<float>::digits);
+  }
   const View<> view = session.view(lesson.stage.camera, width, height);
 
   std::atomic<double> error_so_far = infinity<double>();

@@ -1,6 +1,7 @@
 // What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
 // of their own, have files of their own. A program that offers none of these groups links none.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <utility>
@@ -113,7 +114,7 @@ void Turntable::declare(Offer& offer) {
 }
 
 RotationY Turntable::rotation() const {
-  return rotation_y(frame == 0 ? degrees : degrees + 360.0 * frame / frames);
+  return rotation_y(frame == 0 ? degrees : std::fmod(degrees, 360) + 360.0 * frame / frames);
 }
 
 void ProjectionOptions::declare(Offer& offer) {

@@ -67,9 +67,11 @@ template <class Lesson>
 /// Gives a lesson's spheres the formula that the user chose, or that they need.
 template <class Lesson>
 void choose_spheres(const Chosen& chosen, Lesson& lesson) {
-  if constexpr (HasSpheres<Lesson>) {
-    if (chosen.was_given("--spheres"))
-      for (auto& object : lesson.objects) object.shape.form = chosen.settings.spheres;
+  if constexpr (HasObjects<Lesson>) {
+    if (chosen.was_given("--spheres")) {
+      for (auto& object : lesson.objects)
+        if_sphere(object.shape, [&](auto& sphere) { sphere.form = chosen.settings.spheres; });
+    }
     const bool in_float = is_float(chosen.settings.number);
     keep_to_domains(
         lesson.objects, lesson.stage.camera.eye,
@@ -79,7 +81,7 @@ void choose_spheres(const Chosen& chosen, Lesson& lesson) {
 
 /// Errors: std::logic_error for a camera without a view, and for a sphere that no ray can meet.
 template <class Lesson>
-void check_scene(const Lesson& lesson) {
+void check_scene(Lesson& lesson) {
   const auto refuse_if = [](bool refused, const std::string& why) {
     if (refused) throw std::logic_error(why);
   };
@@ -93,11 +95,13 @@ void check_scene(const Lesson& lesson) {
     refuse_if(!(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180),
               "the camera's `fov_y_degrees` is not between 0 and 180");
   }
-  if constexpr (HasSpheres<Lesson>) {
+  if constexpr (HasObjects<Lesson>) {
     int number = 0;
-    for (const auto& object : lesson.objects) {
-      refuse_if(!(object.shape.radius > 0),
-                "object " + std::to_string(number) + ": its radius is not above 0");
+    for (auto& object : lesson.objects) {
+      if_sphere(object.shape, [&](const auto& sphere) {
+        refuse_if(!(sphere.radius > 0),
+                  "object " + std::to_string(number) + ": its radius is not above 0");
+      });
       ++number;
     }
   }

@@ -204,8 +204,12 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
 }
 
 void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) {
-  if (chosen.was_given("--number"))
-    throw UsageError("--extremes chooses the numbers itself: leave out --number");
+  for (const char* option : {"--number", "--budget"}) {
+    if (chosen.was_given(option)) {
+      throw UsageError(std::string("--extremes chooses numbers and formulas itself: leave out ") +
+                       option);
+    }
+  }
   const Image right = draw(false, 1, 0);
   constexpr int decades = 20;
   const auto limits = std::array{1.0 / static_cast<double>(right.pixels.size()), 0.01, 0.25};
