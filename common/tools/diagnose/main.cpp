@@ -125,10 +125,7 @@ std::vector<slips::StageView> stages_of(const Choices& choices, const Image& min
 /// A turned globe of chapter 03 may be chapter 05's: then the earlier is explained, both are said.
 std::string by_slips(const Choices& choices, const Image& mine,
                      const std::vector<slips::StageView>& stages) {
-  std::vector<const slips::StageView*> all;
-  all.reserve(stages.size());
-  for (const slips::StageView& stage : stages) all.push_back(&stage);
-  const auto whys = explain_by_any(mine, all);
+  const auto whys = explain_by_any(mine, stages);
   if (whys.empty()) return "";
   const auto& [first, why] = whys.front();
   std::string evidence =

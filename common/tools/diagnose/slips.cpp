@@ -377,30 +377,30 @@ Explanation explain_by_view(const Image& drawn, const StageView& right, int more
 }
 
 std::vector<std::pair<const StageView*, Explanation>> explain_by_any(
-    const Image& drawn, std::span<const StageView* const> stages) {
+    const Image& drawn, std::span<const StageView> stages) {
   std::vector<std::pair<const StageView*, Explanation>> found;
   std::size_t least = 99;
-  const auto keep = [&](const StageView* stage, Explanation why) {
+  const auto keep = [&](const StageView& stage, Explanation why) {
     if (why.slips.empty()) return;
     least = std::min(least, why.slips.size());
-    found.emplace_back(stage, std::move(why));
+    found.emplace_back(&stage, std::move(why));
   };
-  const auto by_slips = [&](std::span<const StageView* const> some, int most) {
-    for (const StageView* stage : some) {
+  const auto by_slips = [&](std::span<const StageView> some, int most) {
+    for (const StageView& stage : some) {
       // With more slips than another's, only an earlier chapter may be meant.
-      const auto before = [&](const auto& row) { return row.first->chapter <= stage->chapter; };
+      const auto before = [&](const auto& row) { return row.first->chapter <= stage.chapter; };
       if (least >= static_cast<std::size_t>(most) || std::ranges::none_of(found, before))
-        keep(stage, explain(drawn, *stage, most));
+        keep(stage, explain(drawn, stage, most));
     }
   };
   const auto by_views = [&](int more) {
     if (!found.empty()) return;
-    for (const StageView* stage : stages) keep(stage, explain_by_view(drawn, *stage, more));
+    for (const StageView& stage : stages) keep(stage, explain_by_view(drawn, stage, more));
   };
   // Where light is gathered, the same random numbers are tried first.
-  for (const StageView* stage : stages) {
-    if (stage->tolerance == of_rounding) continue;
-    StageView exact = *stage;
+  for (const StageView& stage : stages) {
+    if (stage.tolerance == of_rounding) continue;
+    StageView exact = stage;
     exact.tolerance = of_rounding;
     keep(stage, explain(drawn, exact, 1));
     if (found.empty()) keep(stage, explain_by_view(drawn, exact, 0));
@@ -523,8 +523,7 @@ std::string Words::of(const Image& drawn, const WrongPicture& right) {
     if (is_new) stage = chapter->view(chapter->name, "");
     const bool is_as_large = stage.width == drawn.width && stage.height == drawn.height;
     if (is_as_large && draws(stage, right.picture)) {
-      const std::array<const StageView*, 1> alone{&stage};
-      const auto whys = explain_by_any(drawn, alone);
+      const auto whys = explain_by_any(drawn, {&stage, 1});
       if (whys.empty()) {
         std::string shadows = wrong_shadows(drawn, stage).words;
         if (!shadows.empty()) return shadows;

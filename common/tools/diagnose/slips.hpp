@@ -32,7 +32,7 @@ struct Explanation {
 ///
 /// @param stages  the most probable first
 [[nodiscard]] std::vector<std::pair<const StageView*, Explanation>> explain_by_any(
-    const Image& drawn, std::span<const StageView* const> stages);
+    const Image& drawn, std::span<const StageView> stages);
 
 /// The fewest slips, at most `most`, that explain a picture: of each object's pixels all but 2 % to
 /// two levels, and nine in ten of those that are not the right picture's. Else no slips.

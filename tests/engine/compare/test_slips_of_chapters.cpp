@@ -34,8 +34,7 @@ namespace {
 
 /// The words of what explains a picture.
 std::string words_of(const Image& drawn, const slips::StageView& stage) {
-  const std::array<const slips::StageView*, 1> alone{&stage};
-  const auto whys = slips::explain_by_any(drawn, alone);
+  const auto whys = slips::explain_by_any(drawn, {&stage, 1});
   return whys.empty() ? "" : slips::all_of(whys.front().second.slips);
 }
 
