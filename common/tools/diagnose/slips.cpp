@@ -35,15 +35,12 @@ class Search {
       : drawn_(drawn), stage_(stage), program_(stage) {
     for (int place = 0; place < places; ++place)
       rows_[static_cast<std::size_t>(place)] = static_cast<int>(rows_of(place).size());
-    const auto leave_out = [&](int first, int end) {
-      for (int place = first; place < end; ++place) rows_[static_cast<std::size_t>(place)] = 1;
-    };
     const bool shines = std::ranges::any_of(
         stage.pixels, [](const Seen& seen) { return seen.lit && seen.lit->material.specular > 0; });
     if (!shines) rows_[light] -= static_cast<int>(std::size(mistakes::of_highlight));
-    if (stage.picture.pixels.empty()) leave_out(texel, squares);
+    if (stage.picture.pixels.empty()) std::fill(rows_.begin() + texel, rows_.begin() + squares, 1);
     if (std::ranges::none_of(stage.pixels, [](const Seen& seen) { return seen.lit.has_value(); }))
-      leave_out(0, bytes);
+      std::fill(rows_.begin(), rows_.begin() + bytes, 1);
     for (const Seen& seen : right.pixels) {
       right_.push_back(bytes_of_color(seen.color));
       if (seen.lit && shining_.specular == 0) shining_ = seen.lit->material;
@@ -500,12 +497,10 @@ std::string all_of(const std::vector<Slip>& slips) {
 }
 
 bool draws(const StageView& stage, const Image& right) {
-  std::size_t off = 0;
-  for (const Seen& seen : stage.pixels) {
-    const Rgb8 is = {byte_of(seen.color.r), byte_of(seen.color.g), byte_of(seen.color.b)};
-    off += channel_difference(is, right.at(seen.column, seen.row)) > 1 ? 1U : 0U;
-  }
-  return off * 1000 <= stage.pixels.size();
+  const auto off = std::ranges::count_if(stage.pixels, [&](const Seen& seen) {
+    return !alike(bytes_of_color(seen.color), right.at(seen.column, seen.row), 1);
+  });
+  return off * 1000 <= std::ssize(stage.pixels);
 }
 
 const OnStage* find_chapter(std::string_view name) {
