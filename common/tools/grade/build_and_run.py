@@ -103,10 +103,7 @@ def run_to_end(command, stopping, **streams):
                 return process.wait(0.05)
             except subprocess.TimeoutExpired:
                 pass
-        if hasattr(os, 'killpg'):
-            os.killpg(process.pid, 15)
-        else:
-            process.terminate()
+        os.killpg(process.pid, 15)
     raise KeyboardInterrupt
 
 
