@@ -141,12 +141,6 @@ def keys(name):
     return {''.join(words[i:] + words[:i]) for i in range(len(words))}
 
 
-def name_ways(name):
-    """The name, and what is behind a hyphen, which may be behind a group: "Group 1-Jane Doe"."""
-    words = name.split('-')
-    return ['-'.join(words[i:]) for i in range(len(words))]
-
-
 def join_class_list(path, submissions, chapters, columns=''):
     """Sets ids and persons from a class list: by id, then by name, if nobody else has that name. A
     group's work is that of each in it. Who has several submissions gets one. Adds who handed in
@@ -156,8 +150,10 @@ def join_class_list(path, submissions, chapters, columns=''):
     names = {one: keys(one.person) for one in people}
 
     def named_as(one):
-        found = ([person for person in people if keys(way) & names[person]]
-                 for way in name_ways(one.person))
+        # the name, or what is behind a hyphen, which may be behind a group: "Group 1-Jane Doe"
+        words = one.person.split('-')
+        found = ([person for person in people if keys('-'.join(words[i:])) & names[person]]
+                 for i in range(len(words)))
         return next(filter(None, found), [])
 
     by_name, joined, by_id = {}, {}, {}
