@@ -7,22 +7,17 @@ page_NN.wasm into OUT/module_NN.js, the pictures that they load into OUT/NAME.js
 one file, OUT/playground.html.
 """
 import base64
-import os
+import pathlib
 import re
 import sys
 import zlib
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+HERE = pathlib.Path(__file__).resolve().parent
 FILES = ("earth.png", "crate.png", "earth_relief.png", "sky.hdr")  # of ASSETS
 
 
-def read(path):
-    with open(path, "rb") as file:
-        return file.read()
-
-
 def source(name):
-    return read(os.path.join(HERE, name)).decode("utf-8").strip()
+    return (HERE / name).read_bytes().decode("utf-8").strip()
 
 
 def in_base64(data):
@@ -45,7 +40,7 @@ def in_15_bits(data):
 
 
 def module_script(module, as_text):
-    return f'texmapLive.modules("{as_text(zlib.compress(read(module), 9))}");\n'
+    return f'texmapLive.modules("{as_text(zlib.compress(module.read_bytes(), 9))}");\n'
 
 
 def file_script(data, name, as_text):
@@ -56,7 +51,7 @@ def page(module):
     # The chapters ask for earth.png; the bytes say that it is a JPEG. To make it again: convert
     # assets/earth.png -scale 25% -quality 78
     scripts = [module_script(module, in_base64),
-               file_script(read(os.path.join(HERE, "small_earth.jpg")), "earth.png", in_base64)]
+               file_script((HERE / "small_earth.jpg").read_bytes(), "earth.png", in_base64)]
     parts = {
         "colors": source("../book/book.css").split("* {")[0].strip(),  # the book's, light and dark
         "css": source("live.css"),
@@ -66,36 +61,27 @@ def page(module):
     return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], source("playground.html")) + "\n"
 
 
-def write(path, text, encoding="utf-8"):
-    with open(path, "w", encoding=encoding, newline="\n") as file:
-        file.write(text)
-
-
 def write_script(path, text):
     # the mark tells browsers, whatever the page's encoding
-    write(path, "\ufeff" + text, "utf-16-le")
+    path.write_bytes(("\ufeff" + text).encode("utf-16-le"))
 
 
 def main(words):
     if len(words) != 3:
         raise SystemExit(__doc__.strip())
-    modules, assets, out = words
-    first = os.path.join(modules, "chapters_01_to_06.wasm")
-    write_script(os.path.join(out, "modules.js"), module_script(first, in_15_bits))
-    for name in sorted(os.listdir(modules)):
-        chapter = re.fullmatch(r"chapter_(\d\d)\.wasm", name)
-        if chapter:
-            write_script(os.path.join(out, f"{chapter[1]}.js"),
-                         module_script(os.path.join(modules, name), in_15_bits))
-        own = re.fullmatch(r"page_(\d\d)\.wasm", name)
-        if own:
-            packed = zlib.compress(read(os.path.join(modules, name)), 9)
-            write_script(os.path.join(out, f"module_{own[1]}.js"),
-                         file_script(packed, f"module_{own[1]}", in_15_bits))
+    modules, assets, out = map(pathlib.Path, words)
+    first = modules / "chapters_01_to_06.wasm"
+    write_script(out / "modules.js", module_script(first, in_15_bits))
+    for module in modules.glob("chapter_[0-9][0-9].wasm"):
+        write_script(out / f"{module.stem[-2:]}.js", module_script(module, in_15_bits))
+    for module in modules.glob("page_[0-9][0-9].wasm"):
+        name = module.stem.replace("page", "module")
+        packed = zlib.compress(module.read_bytes(), 9)
+        write_script(out / f"{name}.js", file_script(packed, name, in_15_bits))
     for name in FILES:
-        write_script(os.path.join(out, name.split(".")[0] + ".js"),
-                     file_script(read(os.path.join(assets, name)), name, in_15_bits))
-    write(os.path.join(out, "playground.html"), page(first))
+        write_script(out / (name.split(".")[0] + ".js"),
+                     file_script((assets / name).read_bytes(), name, in_15_bits))
+    (out / "playground.html").write_bytes(page(first).encode("utf-8"))
 
 
 if __name__ == "__main__":
