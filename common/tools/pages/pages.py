@@ -20,7 +20,6 @@ docs/figures.txt, or a ratio in a table of docs/measurements.md, named by group,
 """
 import pathlib
 import re
-import shutil
 import sys
 import tempfile
 
@@ -55,9 +54,8 @@ def find_source(root, page, name):
 
 def blanked(lines):
     """The lines with comments and texts blanked out, so that braces can be counted."""
-    def blank(match):
-        return ' ' * len(match.group(0))
-    return [re.sub(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//.*', blank, line) for line in lines]
+    text = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//.*')
+    return [text.sub(lambda found: ' ' * len(found[0]), line) for line in lines]
 
 
 def end_of(plain, start):
@@ -219,8 +217,8 @@ def run(root, write):
 
 def self_test():
     """A page is renewed, and what is wrong with it is said."""
-    work = pathlib.Path(tempfile.mkdtemp())
-    try:
+    with tempfile.TemporaryDirectory() as folder:
+        work = pathlib.Path(folder)
         (work / 'docs').mkdir()
         (work / 'common/texture').mkdir(parents=True)
         (work / 'chapters').mkdir()
@@ -266,8 +264,6 @@ def self_test():
         renew('a <!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
         assert run(work, False) == 1 and run(work, True) == 0 and run(work, False) == 0
         assert '76' in readme.read_text(encoding='utf-8')
-    finally:
-        shutil.rmtree(work)
     print('marks are renewed, and what is wrong with one is said')
     return 0
 
