@@ -439,8 +439,11 @@ function answering(can) {
     });
   };
 }
-function hire(worker, script) {
-  const hand = engaged(script, `(${answering})((${worker})())`);
+// Gives how to ask it, and its answer to the chapter's module and the map of the Earth.
+async function hire(worker, chapter) {
+  const [{bytes: packed}, {bytes: picture}] = await Promise.all(
+    [fetched(`module_${chapter}`, `module_${chapter}.js`), fetched("earth.png", "earth.js")]);
+  const hand = engaged(`page_${chapter}.js`, `(${answering})((${worker})())`);
   const waiting = new Map();
   let last = 0;
   const fail = (reason) => {
@@ -452,10 +455,11 @@ function hire(worker, script) {
     fault ? refuse(new Error(whyLost(fault))) : give(answer);
   };
   hand.onerror = (event) => fail(event.message);
-  return (...call) => new Promise((give, refuse) => {
+  const ask = (...call) => new Promise((give, refuse) => {
     waiting.set(++last, {give, refuse});
     hand.postMessage([last, ...call]);
   });
+  return [ask, await ask("load", packed, picture)];
 }
 const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−")
   : rounded(value, 2);
@@ -1912,7 +1916,7 @@ if (inWorker && location.hash) worker();
 return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, rounded, small, copied, painted, fetched, hire, open, unpacked, bytesOf,
+  of: {element, rounded, small, copied, painted, hire, open, unpacked, bytesOf,
     inWords, isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),

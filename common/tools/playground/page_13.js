@@ -4,7 +4,7 @@
 "use strict";
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, rounded, small, copied, painted, fetched, hire, open, unpacked, isHired, begin,
+const {element, rounded, small, copied, painted, hire, open, unpacked, isHired, begin,
   placed, inWords, isPlace, checkAddress} = texmapLive.of;
 
 // ---- What the worker can do.
@@ -240,10 +240,7 @@ void main() {
 
 // ---- The section.
 async function show() {
-  const [{bytes: packed}, {bytes: picture}] =
-    await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
-  const ask = hire(worker, "page_13.js");
-  const facts = await ask("load", packed, picture);
+  const [ask, facts] = await hire(worker, "13");
   const {width, height} = facts;
   const ways = facts.ways.map((way, index) => ({...way, index, times: []}));
 

@@ -3,7 +3,7 @@
 "use strict";
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, small, painted, fetched, hire, open, unpacked, isHired, begin, placed, inWords,
+const {element, small, painted, hire, open, unpacked, isHired, begin, placed, inWords,
   isPlace, checkAddress} = texmapLive.of;
 
 function worker() {
@@ -33,10 +33,7 @@ const unlike = (a, b) => {
 };
 
 async function show() {
-  const [{bytes: packed}, {bytes: picture}] =
-    await Promise.all([fetched("module_14", "module_14.js"), fetched("earth.png", "earth.js")]);
-  const ask = hire(worker, "page_14.js");
-  const dials = await ask("load", packed, picture);
+  const [ask, dials] = await hire(worker, "14");
 
   const choice = element("select", {id: "exhibit"},
     ...dials.map(({exhibit, label}, i) =>
