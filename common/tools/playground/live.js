@@ -335,6 +335,12 @@ function element(name, properties = {}, ...children) {
   made.append(...children);
   return made;
 }
+function svg(name, properties, ...children) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(properties)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
 // A formula as MathML: a letter is a variable, more are a name; / is a fraction of the neighbors,
 // {…} groups.
 function math(text) {
@@ -1654,33 +1660,26 @@ async function live(main, script) {
     ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
   }
   function drawing({says, width, height, shapes}) {
-    const make = (name, properties) => {
-      const made = document.createElementNS("http://www.w3.org/2000/svg", name);
-      for (const [key, value] of Object.entries(properties)) made.setAttribute(key, value);
-      return made;
-    };
     const unit = Math.max(width, height) / 100;
     const paint = (word) => ({ink: "currentColor", accent: "var(--link)"})[word] || word;
     const shape = {
-      dot: (color, cx, cy) => make("circle",
+      dot: (color, cx, cy) => svg("circle",
         {cx, cy, r: 1.2 * unit, fill: paint(color), stroke: "#888", "stroke-width": 0.25 * unit}),
       line: (color, x1, y1, x2, y2) =>
-        make("line", {x1, y1, x2, y2, stroke: paint(color), "stroke-width": 0.7 * unit}),
+        svg("line", {x1, y1, x2, y2, stroke: paint(color), "stroke-width": 0.7 * unit}),
       box: (color, x, y, width, height) =>
-        make("rect", {x, y, width, height, fill: paint(color), "shape-rendering": "crispEdges"}),
-      word: (color, x, y, text) => Object.assign(make("text",
+        svg("rect", {x, y, width, height, fill: paint(color), "shape-rendering": "crispEdges"}),
+      word: (color, x, y, text) => svg("text",
         {x: x + (x < width / 2 ? -2 : 2) * unit,
           y: y + (y < height / 2 ? -1.5 : 5.5) * unit,  // outside of a corner
           "text-anchor": x < width / 2 ? "end" : "start", fill: paint(color),
-          "font-size": 6 * unit}),
-      {textContent: text}),
+          "font-size": 6 * unit}, text),
     };
-    const svg = make("svg", {viewBox: `${-unit} ${-unit} ${width + 2 * unit} ${height + 2 * unit}`,
-      role: "img", "aria-label": says});
-    svg.append(make("rect",
-      {width, height, fill: "none", stroke: "currentColor", "stroke-width": 0.3 * unit}),
-    ...shapes.map(([kind, ...rest]) => shape[kind](...rest)));
-    return element("figure", {className: "live-drawing"}, svg,
+    const box = `${-unit} ${-unit} ${width + 2 * unit} ${height + 2 * unit}`;
+    return element("figure", {className: "live-drawing"},
+      svg("svg", {viewBox: box, role: "img", "aria-label": says}, svg("rect",
+        {width, height, fill: "none", stroke: "currentColor", "stroke-width": 0.3 * unit}),
+      ...shapes.map(([kind, ...rest]) => shape[kind](...rest))),
       element("figcaption", {textContent: says}));
   }
   // -- Rows and the code that calculates them: the page names the rows of its lines.
@@ -1916,7 +1915,7 @@ if (inWorker && location.hash) worker();
 return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, rounded, small, copied, painted, hire, open, unpacked, bytesOf,
+  of: {element, svg, rounded, small, copied, painted, hire, open, unpacked, bytesOf,
     inWords, isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),

@@ -4,7 +4,7 @@
 "use strict";
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, rounded, small, copied, painted, hire, open, unpacked, isHired, begin,
+const {element, svg, rounded, small, copied, painted, hire, open, unpacked, isHired, begin,
   placed, inWords, isPlace, checkAddress} = texmapLive.of;
 
 // ---- What the worker can do.
@@ -45,12 +45,6 @@ function worker() {
 // ---- Words.
 const named = ({number, kernel}) => `${number}, ${kernel === "reference" ? "atan2" : kernel}`;
 const counted = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
-const svg = (name, properties, ...children) => {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(properties)) made.setAttribute(key, value);
-  made.append(...children);
-  return made;
-};
 const dot = ({number}, x, y, r) => number.endsWith("-pack") ? svg("rect",
   {x: x - r, y: y - r, width: 2 * r, height: 2 * r}) : svg("circle", {cx: x, cy: y, r});
 // What is known of a way: its time, double with atan2 = 1, and its bound. By ./course run 13 on
