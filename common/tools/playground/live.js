@@ -486,6 +486,11 @@ function painted(canvas, pixels, width, height) {
     width), 0, 0);
 }
 
+// The largest difference of a channel at each pixel of two pictures.
+const differences = (a, b) => Array.from({length: a.length / 4}, (_, i) =>
+  Math.max(Math.abs(a[4 * i] - b[4 * i]), Math.abs(a[4 * i + 1] - b[4 * i + 1]),
+    Math.abs(a[4 * i + 2] - b[4 * i + 2])));
+
 // Puts a section where the page keeps its place, or below the head of a page that keeps none.
 function placed(section) {
   const place = document.querySelector(".live-place"), main = document.querySelector("main");
@@ -1812,16 +1817,12 @@ async function live(main, script) {
   function changes() {
     const [a, b] = [paper, secondPaper].map((pen) =>
       pen.getImageData(0, 0, canvas.width, canvas.height).data);
-    const all = a.length / 4;
-    let count = 0, most = 0, sum = 0;
-    for (let i = 0; i < a.length; i += 4) {
-      const by = Math.max(...[0, 1, 2].map((k) => Math.abs(a[i + k] - b[i + k])));
-      count += by > 0;
-      most = Math.max(most, by);
-      sum += by;
-    }
-    return {isSeen: most >= 24 || sum / all >= 5, words: `${count.toLocaleString("en")} of ${
-      all.toLocaleString("en")} pixels change, by at most ${most} of 255. `};
+    const all = differences(a, b), changed = all.filter((by) => by > 0);
+    const most = changed.reduce((one, other) => Math.max(one, other), 0),
+      sum = changed.reduce((one, other) => one + other, 0);
+    return {isSeen: most >= 24 || sum / all.length >= 5,
+      words: `${changed.length.toLocaleString("en")} of ${
+        all.length.toLocaleString("en")} pixels change, by at most ${most} of 255. `};
   }
   const without = (list, one) => list.filter((other) => other !== one);
   const drawnBy = (list) => list[Math.floor(Math.random() * list.length)];
@@ -1915,7 +1916,7 @@ if (inWorker && location.hash) worker();
 return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, svg, rounded, small, copied, painted, hire, open, unpacked, bytesOf,
+  of: {element, svg, rounded, small, copied, painted, differences, hire, open, unpacked, bytesOf,
     inWords, isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),

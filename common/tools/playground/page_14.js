@@ -3,7 +3,7 @@
 "use strict";
 if (typeof document === "undefined") importScripts("live.js");
 (() => {
-const {element, small, painted, hire, open, unpacked, isHired, begin, placed, inWords,
+const {element, small, painted, differences, hire, open, unpacked, isHired, begin, placed, inWords,
   isPlace, checkAddress} = texmapLive.of;
 
 function worker() {
@@ -23,14 +23,7 @@ function worker() {
 
 const width = 320, height = 240;
 // Pixels of another color, by more than a level of 255, as the program's table counts them.
-const unlike = (a, b) => {
-  let count = 0;
-  for (let i = 0; i < a.length; i += 4) {
-    if (Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]),
-      Math.abs(a[i + 2] - b[i + 2])) > 1) ++count;
-  }
-  return count;
-};
+const unlike = (a, b) => differences(a, b).filter((by) => by > 1).length;
 
 async function show() {
   const [ask, dials] = await hire(worker, "14");
