@@ -10,7 +10,7 @@ const texmapCover = async (packed, earth) => {
   const part = (what) => hero.querySelector(what);
   const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span",
     "table", ".said"].map(part);
-  const {open, unpacked, bytesOf, isPlace, checkAddress} = texmapLive.of;
+  const {open, unpacked, bytesOf, isPlace, checkAddress, partsOf} = texmapLive.of;
   let code;
   try {
     code = (await open(await WebAssembly.compile(await unpacked(bytesOf(packed))))).calls;
@@ -159,10 +159,9 @@ const texmapCover = async (packed, earth) => {
 
   // ---- Hands and keys.
   function point(event) {
-    const box = canvas.getBoundingClientRect();
-    const inside = (share) => Math.max(0, Math.min(0.9999, share));
-    Object.assign(place, {across: inside((event.clientX - box.left) / box.width),
-      down: inside((event.clientY - box.top) / box.height)});
+    const [across, down] = partsOf(event, canvas)
+      .map((part) => Math.max(0, Math.min(0.9999, part)));
+    Object.assign(place, {across, down});
     look();
   }
   canvas.addEventListener("pointermove", point);

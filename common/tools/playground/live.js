@@ -486,6 +486,11 @@ function painted(canvas, pixels, width, height) {
     width), 0, 0);
 }
 
+// Where a pointer is on an element, in parts of its width and its height.
+function partsOf({clientX, clientY}, target) {
+  const {left, top, width, height} = target.getBoundingClientRect();
+  return [(clientX - left) / width, (clientY - top) / height];
+}
 // The largest difference of a channel at each pixel of two pictures.
 const differences = (a, b) => Array.from({length: a.length / 4}, (_, i) =>
   Math.max(Math.abs(a[4 * i] - b[4 * i]), Math.abs(a[4 * i + 1] - b[4 * i + 1]),
@@ -1318,10 +1323,9 @@ async function live(main, script) {
 
   // -- The loupe: a pixel, and each number between its ray and its color.
   function place(event) {
-    const box = canvas.getBoundingClientRect();
+    const [x, y] = partsOf(event, canvas);
     const inside = (share, n) => Math.max(0, Math.min(n - 1, Math.floor(share * n)));
-    return full && {column: inside((event.clientX - box.left) / box.width, full[0]),
-      row: inside((event.clientY - box.top) / box.height, full[1])};
+    return full && {column: inside(x, full[0]), row: inside(y, full[1])};
   }
   function look(where) {
     if (!where || !full || !hand) return;
@@ -1336,9 +1340,8 @@ async function live(main, script) {
   }
   // A place on the picture beside: the answer has its pixel.
   function findFrom(event) {
-    const box = second.getBoundingClientRect();
-    if (!lies[chapter] && !pinned)
-      look({x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
+    const [x, y] = partsOf(event, second);
+    if (!lies[chapter] && !pinned) look({x, y});
   }
   function showSpot(at) {
     spot.hidden = !at;
@@ -1358,13 +1361,10 @@ async function live(main, script) {
   function dragLamp(event) {
     if (!("--lamp-up" in widgets) || !event.buttons) return;
     if (!dragged) closeLoupe();
-    const box = canvas.getBoundingClientRect();
-    const at = (share) => Math.max(-1, Math.min(1, 2 * share - 1));
-    const x = at((event.clientX - box.left) / box.width),
-      y = -at((event.clientY - box.top) / box.height);
+    const [x, y] = partsOf(event, canvas).map((part) => Math.max(-1, Math.min(1, 2 * part - 1)));
     const degrees = (radians) => String(Math.round(radians * 180 / Math.PI));
     values["--lamp-around"] = degrees(Math.atan2(x, Math.sqrt(Math.max(0, 1 - x * x - y * y))));
-    put("--lamp-up", degrees(Math.asin(y)));
+    put("--lamp-up", degrees(Math.asin(-y)));
     dragged = true;
   }
   let dragged = false, resting = 0;
@@ -1916,8 +1916,8 @@ if (inWorker && location.hash) worker();
 return {
   modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, svg, rounded, small, copied, painted, differences, hire, open, unpacked, bytesOf,
-    inWords, isPlace, checkAddress,
+  of: {element, svg, rounded, small, copied, painted, partsOf, differences, hire, open, unpacked,
+    bytesOf, inWords, isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),
     // A page of a single chapter begins, or says that it may not.
