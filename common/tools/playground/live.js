@@ -1509,13 +1509,14 @@ async function live(main, script) {
       seen.normal.map((n, i) => [127.5 * (n + 1), [math(`255 {n + 1}/2`.replace("n", "xyz"[i])),
         ...filled` = 255 · (${n} + 1) / 2 = ${127.5 * (n + 1)}`]]));
   }
+  const colorAt = (pen, column, row) => [...pen.getImageData(column, row, 1, 1).data.slice(0, 3)];
+  const pixelRow = (column, row, color) => ["pixel", around, `column ${column}, row ${row}: `,
+    ...swatch(color), ...(pinned ? [element("br"), element("b", {textContent: letsGo})] : [])];
   function factsOf(column, row, seen) {
-    const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
-    const list = [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
-      ...(pinned
-        ? [element("br"), element("b", {textContent: letsGo})] : [])],
-    [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ",
-      ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
+    const color = colorAt(paper, column, row);
+    const list = [pixelRow(column, row, color),
+      [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ",
+        ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
     if (seen.distance === undefined)
       return [...list, ["hit", "nothing: the sky"], ...quadraticOf(seen)];
     const center = seen.center.some((x) => x)
@@ -1653,16 +1654,13 @@ async function live(main, script) {
   // Rows and a drawing that the module made: chapters 07 and on.
   function moduleFacts(column, row, {left, ...right}) {
     const seen = left && isLeft(column) ? left : right;
-    const color = [...(isLeft(column) ? secondPaper : paper).getImageData(column, row, 1,
-      1).data.slice(0, 3)];
+    const color = colorAt(isLeft(column) ? secondPaper : paper, column, row);
     const parts = (list) => list.map((part) => typeof part === "number" ? number(part) : part);
-    return [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
-      ...(pinned
-        ? [element("br"), element("b", {textContent: letsGo})] : [])],
-    ...(left && !broken ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line`
-      : `${values["--filter"]}, right of the line`]] : []),
-    ...(seen.figure ? [["", drawing(seen.figure)]] : []),
-    ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
+    return [pixelRow(column, row, color),
+      ...(left && !broken ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line`
+        : `${values["--filter"]}, right of the line`]] : []),
+      ...(seen.figure ? [["", drawing(seen.figure)]] : []),
+      ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
   }
   function drawing({says, width, height, shapes}) {
     const unit = Math.max(width, height) / 100;
