@@ -224,22 +224,20 @@ class Book {
   }
 
   void find_pages() {
-    std::vector<fs::path> chapters;
+    std::set<fs::path> chapters;
     for (const auto& entry : fs::directory_iterator(root_ / "chapters")) {
       if (fs::exists(entry.path() / "README.md"))
-        chapters.push_back(fs::relative(entry.path() / "README.md", root_));
+        chapters.insert(fs::relative(entry.path() / "README.md", root_));
     }
-    std::sort(chapters.begin(), chapters.end());
     add_part("Chapters", chapters);
     add_part("When something is wrong, or new", readers_pages);
     add_part("For instructors", instructors_pages);
     add_part("For engineers", engineers_pages);
-    std::vector<fs::path> rest;
+    std::set<fs::path> rest;
     for (const auto& entry : fs::directory_iterator(root_ / "docs")) {
       const fs::path source = fs::relative(entry.path(), root_);
-      if (source.extension() == ".md" && page_of(source) == nullptr) rest.push_back(source);
+      if (source.extension() == ".md" && page_of(source) == nullptr) rest.insert(source);
     }
-    std::sort(rest.begin(), rest.end());
     for (const fs::path& source : rest) add(parts_.back(), source);
   }
 
@@ -354,10 +352,8 @@ class Book {
   /// Every # of a link within the book names a heading.
   void check_names() {
     for (const auto& [from, to, anchor] : named_) {
-      bool found = anchor.empty();
-      for (const Section& section : page_of(to)->converted.sections)
-        found = found || "#" + section.id == anchor;
-      if (found) continue;
+      const auto is_it = [&id = anchor](const Section& one) { return "#" + one.id == id; };
+      if (anchor.empty() || std::ranges::any_of(page_of(to)->converted.sections, is_it)) continue;
       faults_.push_back(text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
     }
   }
@@ -547,22 +543,20 @@ class Book {
         html.append(" to chapter ").append(number).append(": pictures, figures, code</a></p>\n");
       }
     }
-    std::vector<std::string> frames, plots;
+    std::set<std::string> frames, plots;
     if (fs::is_directory(out_)) {
       for (const auto& entry : fs::directory_iterator(out_)) {
         const std::string name = entry.path().filename().string();
         if (name.rfind(chapter + "_", 0) != 0) continue;
         const std::string rest = name.substr(chapter.size() + 1);
-        if (rest.size() == 7 && entry.path().extension() == ".png") frames.push_back(name);
-        if (entry.path().extension() == ".svg") plots.push_back(name);
+        if (rest.size() == 7 && entry.path().extension() == ".png") frames.insert(name);
+        if (entry.path().extension() == ".svg") plots.insert(name);
       }
     }
-    std::sort(frames.begin(), frames.end());
-    std::sort(plots.begin(), plots.end());
     if (!frames.empty()) {
       std::string list;
       for (const std::string& frame : frames) list += (list.empty() ? "" : " ") + frame;
-      html += "<figure><img src=\"" + frames.front() +
+      html += "<figure><img src=\"" + *frames.begin() +
               "\" alt=\"The globe, turning\"><figcaption><button type=\"button\" "
               "data-frames=\"" +
               list + "\">Turn the globe</button></figcaption></figure>\n";
