@@ -243,13 +243,6 @@ bool has_formula(const std::string& block) {
   return false;
 }
 
-/// Cuts off the blanks at the end.
-std::size_t trim(std::u32string_view& text) {
-  const std::size_t size = text.size();
-  text = text.substr(0, text.find_last_not_of(U' ') + 1);
-  return size - text.size();
-}
-
 }  // namespace
 
 std::optional<std::string> html_of_formulas(const std::string& block) {
@@ -290,7 +283,8 @@ std::optional<std::string> html_of_formulas(const std::string& block) {
       if (end < line.size() && line[end - 1] != U' ' && ++span > 0)
         continue;  // the next column is within a word
       std::u32string_view cell = std::u32string_view(line).substr(first, end - first);
-      const bool is_wide = trim(cell) > 2 && !cell.empty();
+      cell = cell.substr(0, cell.find_last_not_of(U' ') + 1);  // without the blanks at its end
+      const bool is_wide = end - first > cell.size() + 2 && !cell.empty();
       const std::optional<std::string> html = cell.empty() ? "" : Reader(cell).read();
       if (!html) return std::nullopt;
       cells += "<mtd" + (span > 1 ? text(" columnspan=\"%zu\"", span) : "") + "><mrow>" + *html +

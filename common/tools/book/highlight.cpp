@@ -20,10 +20,6 @@ constexpr std::string_view keywords =
     "short signed sizeof static struct switch template this throw true try typename union "
     "unsigned using virtual void while #include #define #pragma #if static_assert ";
 
-bool is_keyword(const std::string& word) {
-  return keywords.find(" " + word + " ") != std::string_view::npos;
-}
-
 /// Longer lines take the margin, too.
 constexpr std::ptrdiff_t columns_of_text = 58;
 
@@ -70,7 +66,8 @@ std::string highlighted_line(const std::string& line) {
     } else if (is_of_a_word(line[i])) {
       while (end < line.size() && is_of_a_word(line[end])) ++end;
       const std::string word = line.substr(i, end - i);
-      html += is_keyword(word) ? element("b", word) : escaped_text(word);
+      const bool is_keyword = keywords.find(" " + word + " ") != std::string_view::npos;
+      html += is_keyword ? element("b", word) : escaped_text(word);
     } else {
       html += escaped_text(line.substr(i, 1));
     }

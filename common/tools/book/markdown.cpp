@@ -81,13 +81,6 @@ void replace_by_html(cmark_node* node, const std::string& html,
   cmark_node_free(node);
 }
 
-/// Takes a link away from around its words.
-void unlink_around(cmark_node* link) {
-  while (cmark_node* const word = cmark_node_first_child(link))
-    cmark_node_insert_before(link, word);
-  cmark_node_free(link);
-}
-
 /// HTML as a formula sets it: a minus sign for a hyphen, and x_a and 2^k with their letters lowered
 /// and raised. No line ends within a point, a color or a pair, nor around a times sign.
 std::string with_signs(std::string text) {
@@ -108,10 +101,7 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
   const int level = cmark_node_get_heading_level(node);
   std::string id = slug(title);
   const int before = taken[id]++;
-  if (before > 0) {
-    id += '-';
-    id += std::to_string(before);
-  }
+  if (before > 0) id += text("-%d", before);
   const Owned<char> plain(cmark_render_html(node, options, nullptr));
   std::string html = with_signs(plain.get());
   html.insert(html.find('>'), " id=\"" + id + "\"");
@@ -194,8 +184,10 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
     const cmark_node_type type = cmark_node_get_type(node);
     if (type == CMARK_NODE_LINK || type == CMARK_NODE_IMAGE) {
       const std::string url = resolve(text_or_empty(cmark_node_get_url(node)));
-      if (url.empty()) {
-        unlink_around(node);
+      if (url.empty()) {  // its words stay
+        while (cmark_node* const word = cmark_node_first_child(node))
+          cmark_node_insert_before(node, word);
+        cmark_node_free(node);
       } else {
         cmark_node_set_url(node, url.c_str());
       }
