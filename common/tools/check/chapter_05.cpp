@@ -39,11 +39,6 @@ namespace {
 
 using namespace chapter_05;
 
-/// Draws the globe from near by, turned.
-std::function<Image()> globe_after(const char* degrees) {
-  return picture<Lesson>({"--degrees", degrees}, 18);
-}
-
 constexpr auto in_degrees =
     "sin and cos get degrees and take them for radians: multiply by pi / 180";
 
@@ -257,10 +252,12 @@ constexpr Place<Vec3d, double, double> looked_up_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "05",
-      {exercise(turned, globe_after("60"), {right_turn, wrong_turns, turned_places}),
+      {exercise(turned, picture<Lesson>({"--degrees", "60"}, 18),
+                {right_turn, wrong_turns, turned_places}),
        exercise(angle_to_show, globe_from_aside,
                 {right_angle, wrong_angles, angle_to_show_places, without_full_turns}),
-       exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places})},
+       exercise(looked_up, picture<Lesson>({"--degrees", "60"}, 18),
+                {right_look, wrong_looks, looked_up_places})},
       {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",
         [] {

@@ -117,13 +117,6 @@ Lesson lone_globe(std::vector<std::string> words = {}) {
   return prepared<Lesson>(words);
 }
 
-/// A white globe, for which only the sky counts.
-Lesson white_globe() {
-  auto lesson = lone_globe();
-  lesson.objects.front().paint.texture.image = Image(1, 1, {255, 255, 255});
-  return lesson;
-}
-
 double sum_of(const Bytes& bytes, const auto& light_of) {
   return std::transform_reduce(bytes.begin(), bytes.end(), 0., std::plus<>(), light_of);
 }
@@ -336,7 +329,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
        {"Draw a white globe (albedo 1) alone, with --scene book. How many pixels differ from the "
         "sky?",
         [] {
-          const auto pixels = magnified(white_globe()).pixels;
+          auto white = lone_globe();  // for which only the sky counts
+          white.objects.front().paint.texture.image = Image(1, 1, {255, 255, 255});
+          const auto pixels = magnified(white).pixels;
           return double(
               std::count_if(pixels.begin(), pixels.end(), [&](Rgb8 p) { return p != pixels[0]; }));
         },

@@ -62,11 +62,6 @@ namespace {
 
 using namespace chapter_10;
 
-/// Draws the globe from near by, its picture in a layout.
-std::function<Image()> globe(const char* layout) {
-  return picture<Lesson>({"--projection", layout}, 18);
-}
-
 Place2 right_round(Vec3d p) {
   const double from_axis = std::hypot(p.x, p.z);
   const double radius = from_axis > 0 ? sqrt((1 - p.y) / 8) / from_axis : 0;
@@ -214,11 +209,11 @@ constexpr Place<Place2> direction_of_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "10",
-      {exercise(on_round_map, globe("octahedral"),
+      {exercise(on_round_map, picture<Lesson>({"--projection", "octahedral"}, 18),
                 {right_round, wrong_rounds, on_round_map_places}),
-       exercise(on_half_octahedron, globe("octahedral"),
+       exercise(on_half_octahedron, picture<Lesson>({"--projection", "octahedral"}, 18),
                 {right_half, wrong_half_octahedra, on_half_octahedron_places}),
-       exercise(direction_of, globe("cylinder"),
+       exercise(direction_of, picture<Lesson>({"--projection", "cylinder"}, 18),
                 {right_direction, wrong_directions, direction_of_places})},
       {{"An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
         "equirectangular picture have, if its largest texel may cover no more of the globe than "

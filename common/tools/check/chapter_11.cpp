@@ -58,8 +58,6 @@ namespace {
 
 using namespace chapter_11;
 
-Image globe() { return picture_of(prepared<Lesson>(), 21); }
-
 Vec3d right_normal(Vec3d bricks, Vec3d scratches) {
   return normalize(bricks * (1 / bricks.z) + scratches * (1 / scratches.z) - Vec3d{0, 0, 1});
 }
@@ -109,7 +107,8 @@ constexpr Place<Vec3d, Vec3d> scratched_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "11",
-      {exercise(scratched, globe, {right_normal, wrong_normals, scratched_places})},
+      {exercise(scratched, picture<Lesson>({}, 21),
+                {right_normal, wrong_normals, scratched_places})},
       {{"A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
         [] { return atan(0.25) / radian; },
         {"degrees", 0.003},
