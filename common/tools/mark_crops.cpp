@@ -51,12 +51,8 @@ Image cut(const Image& picture, int column, int row, int scale) {
     throw UsageError("the scale of a crop is 1, 2, 5 or 10");
   if (column + crop_width / scale > picture.width || row + crop_height / scale > picture.height)
     throw UsageError("a crop reaches beyond its picture");
-  Image crop(crop_width, crop_height);
-  for (int y = 0; y < crop_height; ++y) {
-    for (int x = 0; x < crop_width; ++x)
-      crop.at(x, y) = picture.at(column + x / scale, row + y / scale);
-  }
-  return crop;
+  return image_of(crop_width, crop_height,
+                  [&](int x, int y) { return picture.at(column + x / scale, row + y / scale); });
 }
 
 /// A light ellipse between two dark ones: it shows on every ground.

@@ -104,22 +104,17 @@ Image zoom(const Image& picture, int column, int row) {
   constexpr int radius = 7;  // pixels on each side of the middle one
   constexpr int factor = 16;
   constexpr int side = (2 * radius + 1) * factor;
-  Image enlarged(side, side, {128, 128, 128});
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const int from_column = column - radius + x / factor;
-      const int from_row = row - radius + y / factor;
-      const bool inside = from_column >= 0 && from_column < picture.width && from_row >= 0 &&
-                          from_row < picture.height;
-      if (inside) enlarged.at(x, y) = picture.at(from_column, from_row);
-      // A frame of two lines, black in white, round the middle pixel: seen on any color.
-      const int off = std::max(std::abs(2 * x + 1 - side), std::abs(2 * y + 1 - side)) / 2;
-      const int ring = off - factor / 2;
-      if (ring == 0 || ring == 1) enlarged.at(x, y) = Rgb8{0, 0, 0};
-      if (ring == 2 || ring == 3) enlarged.at(x, y) = Rgb8{255, 255, 255};
-    }
-  }
-  return enlarged;
+  return image_of(side, side, [&](int x, int y) {
+    // A frame of two lines, black in white, round the middle pixel: seen on any color.
+    const int off = std::max(std::abs(2 * x + 1 - side), std::abs(2 * y + 1 - side)) / 2;
+    const int ring = off - factor / 2;
+    if (ring == 0 || ring == 1) return Rgb8{0, 0, 0};
+    if (ring == 2 || ring == 3) return Rgb8{255, 255, 255};
+    const int from_column = column - radius + x / factor, from_row = row - radius + y / factor;
+    const bool inside = from_column >= 0 && from_column < picture.width && from_row >= 0 &&
+                        from_row < picture.height;
+    return inside ? picture.at(from_column, from_row) : Rgb8{128, 128, 128};
+  });
 }
 
 /// The map of differences, and the pixels around the largest.
