@@ -22,15 +22,13 @@ inline constexpr struct {
   Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& sky, int bounces,
                  auto& random) const {
     if (!through_window) return texmap::light_along(objects, ray, sky, bounces, random);
-    const Nearest<double> nearest = find_nearest(objects, ray);
-    if (nearest.index < 0) return sky(ray);
-    const auto& object = objects[std::size_t(nearest.index)];
-    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
-    const Point2<double> at = random.next_2d();
-    const Vec3d way = through_window(at.u, at.v, 0.8);
-    const Ray<double> up{hit.outside, {way.x, way.z, -way.y}};
-    const bool open = find_nearest(objects, up).index < 0;
-    return object.paint(hit) * (open ? max(dot(hit.normal, up.direction), 0.) : 0);
+    return color_along(objects, ray, sky, [&](const auto& object, const Hit<double>& hit) {
+      const Point2<double> at = random.next_2d();
+      const Vec3d way = through_window(at.u, at.v, 0.8);
+      const Ray<double> up{hit.outside, {way.x, way.z, -way.y}};
+      const bool open = find_nearest(objects, up).index < 0;
+      return object.paint(hit) * (open ? max(dot(hit.normal, up.direction), 0.) : 0);
+    });
   }
 } light_along;
 

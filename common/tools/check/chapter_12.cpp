@@ -22,25 +22,23 @@ static std::function<double(double, double, int, int)> weight_of;
 inline constexpr struct {
   Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& sky,
                  const MatteLight& /*matte*/, int /*bounces*/, auto& random) const {
-    const Nearest<double> nearest = find_nearest(objects, ray);
-    if (nearest.index < 0) return sky(ray);
-    const auto& object = objects[std::size_t(nearest.index)];
-    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
-    if (object.paint.mirrors)
-      return sky(Ray<double>{hit.outside, mirror(-normalize(ray.direction), hit.normal)});
-    constexpr int by_cosine = 2, by_sky = 5;
-    Rgb light{};
-    for (int i = 0; i < by_cosine + by_sky; ++i) {
-      const Point2<double> drawn = random.next_2d();
-      const Vec3d to_sky =
-          i < by_cosine ? cosine_direction(hit.normal, drawn) : sky.draw(true, drawn).direction;
-      const double cosine = dot(hit.normal, to_sky);
-      const double weight =
-          weight_of(cosine, sky.density(true, sky.toward(to_sky)), by_cosine, by_sky);
-      const Ray<double> way{hit.outside, to_sky};
-      if (find_nearest(objects, way).index < 0) light = light + sky(way) * weight;
-    }
-    return object.paint(hit) * light;
+    return color_along(objects, ray, sky, [&](const auto& object, const Hit<double>& hit) {
+      if (object.paint.mirrors)
+        return sky(Ray<double>{hit.outside, mirror(-normalize(ray.direction), hit.normal)});
+      constexpr int by_cosine = 2, by_sky = 5;
+      Rgb light{};
+      for (int i = 0; i < by_cosine + by_sky; ++i) {
+        const Point2<double> drawn = random.next_2d();
+        const Vec3d to_sky =
+            i < by_cosine ? cosine_direction(hit.normal, drawn) : sky.draw(true, drawn).direction;
+        const double cosine = dot(hit.normal, to_sky);
+        const double weight =
+            weight_of(cosine, sky.density(true, sky.toward(to_sky)), by_cosine, by_sky);
+        const Ray<double> way{hit.outside, to_sky};
+        if (find_nearest(objects, way).index < 0) light = light + sky(way) * weight;
+      }
+      return object.paint(hit) * light;
+    });
   }
 } light_under_sky;
 
