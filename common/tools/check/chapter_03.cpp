@@ -50,15 +50,12 @@ std::function<Image()> globe(int columns, int first = 0, int behind = 0, int abo
   return [=] {
     auto lesson = prepared<Lesson>();
     Image& map = map_of(lesson);
-    const int height = columns / 2;
-    Image small(behind > 0 ? behind - first : columns, height * (above + 1), {255, 255, 255});
+    const int width = behind > 0 ? behind - first : columns, height = columns / 2;
     const int step = map.width / columns;
-    for (int i = 0; i < small.width * height; ++i) {
-      const int column = i % small.width, row = i / small.width;
-      small.at(column, row + height * above) =
-          map.at((column + first) * step + step / 2, row * step + step / 2);
-    }
-    map = small;
+    map = image_of(width, height * (above + 1), [&](int column, int row) {
+      if (row < height * above) return Rgb8{255, 255, 255};
+      return map.at((column + first) * step + step / 2, (row - height * above) * step + step / 2);
+    });
     return picture_of(lesson, 18);
   };
 }

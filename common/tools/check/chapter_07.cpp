@@ -94,19 +94,16 @@ Image magnified(const Lesson& lesson) {
     const GradientSky& sky;
   } scene{view_of(lesson.stage.camera, 100, 75), lesson.objects, lesson.stage.sky};
   const Sampler sampler(SamplerKind::random, samples_of_pixel);
-  Image image(400, 300);
-  for (std::uint32_t i = 0; i < 100 * 75; ++i) {
-    const std::uint32_t column = i % 100, row = i / 100;
+  const Image small = image_of(100, 75, [&](int column, int row) {
+    const auto pixel = hash_pixels<double>(std::uint32_t(column), std::uint32_t(row));
     std::vector<Rgb> samples;
     for (int sample = 0; sample < samples_of_pixel; ++sample) {
-      Numbers random{sampler, hash_pixels<double>(column, row), sample};
+      Numbers random{sampler, pixel, sample};
       samples.push_back(lesson(scene, PixelPlace<double>{double(column), double(row)}, random));
     }
-    const Rgb8 color = shown(samples);
-    for (std::uint32_t k = 0; k < 16; ++k)
-      image.at(int(4 * column + k % 4), int(4 * row + k / 4)) = color;
-  }
-  return image;
+    return shown(samples);
+  });
+  return image_of(400, 300, [&](int column, int row) { return small.at(column / 4, row / 4); });
 }
 
 /// The globe alone, as in the book.
