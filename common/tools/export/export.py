@@ -40,6 +40,8 @@ OF_CHAPTER = re.compile(
 LACKING = re.compile(
     r'^(?:(?:\|.*| *)\./course (?:grade|export|pages|playground|bench|numbers|assets|steps)\b'
     r'|The tests of the benchmarks ).*\n(?: {30}.*\n)*', re.M)
+ANSWER = re.compile(r'<details><summary>Answer</summary>.*?</details>\n*', re.S)
+SOLUTION = re.compile(r'^ *// solution\n(?:(?! *// start: ).*\n)*', re.M)
 LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
 
 
@@ -79,18 +81,8 @@ def is_kept(path, chosen):
     return bool(fitting) and not fitting[-1].startswith('!') and not is_left_out(path, chosen)
 
 
-def in_text(page, change):
-    """The page with its text changed, and its blocks of code as they are."""
-    pieces = re.split(r'(^```.*?^```$)', page, flags=re.M | re.S)
-    return ''.join(piece if piece.startswith('```') else change(piece) for piece in pieces)
-
-
 def target_of(path, url):
     return os.path.normpath(os.path.join(os.path.dirname(path), url.split('#')[0]))
-
-
-def without_answers(text):
-    return re.sub(r'<details><summary>Answer</summary>.*?</details>\n*', '\n', text, flags=re.S)
 
 
 def without_dead_links(text, path, is_there):
@@ -108,11 +100,8 @@ def without_dead_links(text, path, is_there):
 
     lines = ''.join(line for line in LACKING.sub('', text).splitlines(keepends=True)
                     if row_stays(line))
-    return in_text(lines, lambda piece: LINK.sub(shown, piece))
-
-
-def without_solution(text):
-    return re.sub(r'^ *// solution\n(?:(?! *// start: ).*\n)*', '', text, flags=re.M)
+    pieces = re.split(r'(^```.*?^```$)', lines, flags=re.M | re.S)  # text and blocks of code
+    return ''.join(piece if piece.startswith('```') else LINK.sub(shown, piece) for piece in pieces)
 
 
 def export(root, folder, chosen):
@@ -120,7 +109,7 @@ def export(root, folder, chosen):
     pages = {path: (root / path).read_text(encoding='utf-8') for path in sorted(kept)
              if path.endswith('.md')}
     for path, text in pages.items():
-        pages[path] = text = without_answers(text)
+        pages[path] = text = ANSWER.sub('\n', text)
         for url in [link[3]
                     for link in LINK.finditer(text)] + re.findall(r'<img src="([^"]*)"', text):
             target = target_of(path, url)
@@ -137,7 +126,7 @@ def export(root, folder, chosen):
         elif path == 'course':
             data = LACKING.sub('', data.decode()).encode()
         elif path.startswith('tests/exercises/'):
-            data = without_solution(data.decode()).encode()
+            data = SOLUTION.sub('', data.decode()).encode()
         (folder / path).write_bytes(data)
         (folder / path).chmod((root / path).stat().st_mode & 0o777)
     for path in sorted(kept):
