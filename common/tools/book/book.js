@@ -3,6 +3,12 @@ const box = document.querySelector("#search");
 const found = document.querySelector("#found");
 let sections = null; // filled by the first search
 
+const element = (name, properties, ...children) => {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+};
+
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
@@ -44,8 +50,7 @@ function foundIn(text, query) {
   return text.split(new RegExp(`(?<![\\p{L}\\p{N}_])(${any})(?![\\p{L}\\p{N}_])`, "giu"));
 }
 const marked = (text, query) =>
-  foundIn(text, query).map((part, i) => i % 2 ? Object.assign(document.createElement("mark"),
-    {textContent: part}) : part);
+  foundIn(text, query).map((part, i) => i % 2 ? element("mark", {textContent: part}) : part);
 
 // The words around what was found first.
 function excerpt({words}, query) {
@@ -65,17 +70,9 @@ async function show() {
   }
   sections ??= await unpacked(packed_sections);
   const list = matches(box.value);
-  found.replaceChildren(...list.map((section) => {
-    const item = document.createElement("li");
-    const link = document.createElement("a");
-    link.href = section.url;
-    link.append(...marked(section.title, box.value));
-    const small = document.createElement("small");
-    small.append(...excerpt(section, box.value));
-    link.append(small);
-    item.append(link);
-    return item;
-  }));
+  found.replaceChildren(...list.map((section) => element("li", {},
+    element("a", {href: section.url}, ...marked(section.title, box.value),
+      element("small", {}, ...excerpt(section, box.value))))));
   if (list.length === 0 && box.value.trim())
     found.textContent = "Nothing holds all of these words.";
 }
@@ -117,14 +114,9 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
   code.replaceChildren(...code.textContent.trimEnd().split("\n").map((line) => {
     if (!command.test(line)) return line + "\n";
     const [typed] = line.split("  ");
-    const words = document.createElement("span");
-    const copy = document.createElement("button");
-    const row = document.createElement("span");
-    row.className = "command";
-    row.append(words, copy);
-    words.append(typed,
-      Object.assign(document.createElement("i"), {textContent: line.slice(typed.length)}));
-    copy.textContent = "Copy";
+    const words = element("span", {}, typed,
+      element("i", {textContent: line.slice(typed.length)}));
+    const copy = element("button", {textContent: "Copy"});
     copy.setAttribute("aria-label", `Copy ${typed}`);
     copy.addEventListener("click", async () => {
       try {
@@ -137,7 +129,7 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
       copy.textContent = "Copied";
       setTimeout(() => { copy.textContent = "Copy"; }, 2000);
     });
-    return row;
+    return element("span", {className: "command"}, words, copy);
   }));
 }
 

@@ -10,7 +10,7 @@ const texmapCover = async (packed, earth) => {
   const part = (what) => hero.querySelector(what);
   const [canvas, pin, slider, shown, table, said] = ["canvas", ".stage i", "input", ".far span",
     "table", ".said"].map(part);
-  const {open, unpacked, bytesOf, isPlace, checkAddress, partsOf} = texmapLive.of;
+  const {element, open, unpacked, bytesOf, isPlace, checkAddress, partsOf} = texmapLive.of;
   let code;
   try {
     code = (await open(await WebAssembly.compile(await unpacked(bytesOf(packed))))).calls;
@@ -98,9 +98,8 @@ const texmapCover = async (packed, earth) => {
     }
     return text;
   }
-  const wrongly = (text) => [Object.assign(document.createElement("span"),
-    {className: "said", textContent: " wrong from here: "}),
-  Object.assign(document.createElement("i"), {textContent: text})];
+  const wrongly = (text) => [element("span", {className: "said",
+    textContent: " wrong from here: "}), element("i", {textContent: text})];
   const written = ([right, wrong]) => wrong ? [right, ...wrongly(wrong)] : [right];
 
   function look() {
