@@ -516,10 +516,9 @@ async function live(main, script) {
     ? image.parentElement : image;
   const still = always[main.dataset.live] ? null : frame;
   const shape = still && image.height / image.width || 0.75;
-  const canvas = element("canvas", {tabIndex: 0});
-  canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", (image ? image.alt : "The chapter's picture")
-    + ". Arrow keys show how a pixel gets its color.");
+  const canvas = element("canvas", {tabIndex: 0, role: "img",
+    "aria-label": (image ? image.alt : "The chapter's picture")
+      + ". Arrow keys show how a pixel gets its color."});
   const paper = canvas.getContext("2d", {willReadFrequently: true});
   const small = element("canvas");
   const smallPaper = small.getContext("2d", {willReadFrequently: true});
@@ -547,9 +546,8 @@ async function live(main, script) {
   const refined = element("p", {className: "live-refined", hidden: true}, refining, " ",
     element("span"));
   const trace = element("figure", {className: "live-trace", hidden: true});
-  const whole = element("canvas"), detail = element("canvas"), mapSays = element("figcaption");
-  whole.setAttribute("role", "img");
-  detail.ariaHidden = true;
+  const whole = element("canvas", {role: "img"}),
+    detail = element("canvas", {"aria-hidden": true}), mapSays = element("figcaption");
   const map = element("figure", {className: "live-map"}, whole, detail, mapSays);
   const drawn = element("figure", {className: "live-map"});
   const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, map,
@@ -565,8 +563,7 @@ async function live(main, script) {
     : "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with "
       + "Shift by ten pixels), Esc closes.";
   const letsGo = `held: ${byTouch ? "a tap here" : "a click or Esc"} lets go`;
-  const says = element("p", {className: "live-says"});
-  says.setAttribute("role", "status");
+  const says = element("p", {className: "live-says", role: "status"});
   const again = element("button", {type: "button", textContent: "Try again", hidden: true,
     onclick: () => { startOver(); start(); }});
   const rows = element("div", {className: "live-rows"});
@@ -592,9 +589,8 @@ async function live(main, script) {
       {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", link, " ", hereOnly));
   const form = element("form", {onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live live-waits"}, picture, beside, refined,
-    legend, says, again, form, trace);
-  section.setAttribute("aria-label", "Live picture");
+  const section = element("section", {className: "live live-waits", "aria-label": "Live picture"},
+    picture, beside, refined, legend, says, again, form, trace);
   section.small = small;  // for the tests: what was drawn while dragging
   reshape(800, Math.round(800 * shape));
   frame ? frame.after(section) : placed(section);
