@@ -873,11 +873,8 @@ async function live(main, script) {
   // scene by other choices stay.
   const curves = new Map();
   let curvesOf = "", growing, tracing, traced;
-  const rms = (a, b) => {
-    let sum = 0;
-    for (let i = 0; i < a.length; ++i) sum += (a[i] - b[i]) ** 2;
-    return Math.sqrt(sum / (0.75 * a.length));  // alpha is the same
-  };
+  const rms = (a, b) =>  // alpha is the same
+    Math.sqrt(a.reduce((sum, x, i) => sum + (x - b[i]) ** 2, 0) / (0.75 * a.length));
   function beginCurve() {
     const by = compared[chapter];
     const scene = JSON.stringify([canvas.width,
