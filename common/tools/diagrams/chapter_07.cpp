@@ -13,11 +13,11 @@ namespace {
 
 /// The 16 samples of one pixel, in four patterns.
 Drawing sampler_patterns() {
-  Drawing d("sampler_patterns", 720, 250, "16 samples of a pixel in four patterns",
+  Drawing d{"sampler_patterns", 720, 250, "16 samples of a pixel in four patterns",
             "Four squares, each a pixel with 16 dots and a grid of 4 by 4 cells. Random: some "
             "cells have no dot, others two or three. Stratified: each cell has one dot. "
             "Multi-jitter: each of the faint 16 columns and 16 rows has one dot, too. Sobol: also "
-            "each cell of the grids of 2 by 8 and 8 by 2.");
+            "each cell of the grids of 2 by 8 and 8 by 2."};
   const double size = 150, top = 20;
   struct Pattern {
     SamplerKind kind;
@@ -61,9 +61,9 @@ Drawing sampler_patterns() {
 
 /// From a byte of a file to light, and what the mean of black and white is.
 Drawing srgb_curve() {
-  Drawing d("srgb_curve", 640, 330, "From bytes to light",
+  Drawing d{"srgb_curve", 640, 330, "From bytes to light",
             "A curve over bytes from 0 to 255. The light rises slowly at first: byte 128 has 0.216 "
-            "of the light of byte 255, and half of the light belongs to byte 188.");
+            "of the light of byte 255, and half of the light belongs to byte 188."};
   const auto place = [](double byte, double light) {
     return Spot{90 + 440 * byte / 255, 30 + 230 * (1 - light)};
   };

@@ -97,13 +97,13 @@ void draw_graticule(Drawing& d, const Panel& panel, Projection projection) {
 
 /// The seven layouts of one sphere, and the sphere.
 Drawing seven_layouts() {
-  Drawing d("seven_layouts", 680, 400, "A sphere in seven layouts",
+  Drawing d{"seven_layouts", 680, 400, "A sphere in seven layouts",
             "The meridians and parallels of a sphere, every 30 degrees, in seven flat layouts. The "
             "northern half is blue, the southern half red, the equator thick. In the "
             "equirectangular map and on the cylinder they are straight lines; the plane shows the "
             "northern half alone; the two cubes have six faces; in the two octahedral maps the "
             "north is a square on its corner in the middle and the south is folded out into the "
-            "four corners.");
+            "four corners."};
   const SpaceView view({1, 0.5, 0.35}, {82, 88}, 66);
   d.circle({82, 88}, 66, "soft");
   for (int longitude = -180; longitude < 180; longitude += 30) {
@@ -151,11 +151,11 @@ Drawing seven_layouts() {
 
 /// Equal circles of a globe, and what the equirectangular map makes of them.
 Drawing pole_stretch() {
-  Drawing d("pole_stretch", 680, 300, "Equal circles in the equirectangular map",
+  Drawing d{"pole_stretch", 680, 300, "Equal circles in the equirectangular map",
             "Left: a globe with equal small circles at latitudes 0, 45 and 70 degrees and one "
             "around the north pole. Right: in the equirectangular map the circle at the equator "
             "is a circle, the others are ellipses that grow wider and wider, and the one around "
-            "the pole is a band as wide as the map.");
+            "the pole is a band as wide as the map."};
   const double size = 9;  // radius of the circles in degrees
   const SpaceView view({1, 0.62, 0}, {130, 140}, 112);
   const Panel panel{{290, 48}, 370, 185};

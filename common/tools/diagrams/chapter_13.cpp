@@ -52,10 +52,10 @@ void plot(Drawing& d, const Frame& at, const Function& f, double from, double to
 
 /// The textbook's series leaves the arc tangent where t is near 1; the fit stays.
 Drawing arc_tangent_series() {
-  Drawing d("arc_tangent_series", 640, 330, "The arc tangent, its series and a fit",
+  Drawing d{"arc_tangent_series", 640, 330, "The arc tangent, its series and a fit",
             "The arc tangent of t for t from 0 to 1, in turns. The textbook's series of degree 3 "
             "ends below it and that of degree 5 above it. The fitted polynomial of degree 5 lies "
-            "on it.");
+            "on it."};
   const Frame at{{70, 285}, 400, 1700};
   d.arrow(at(0, 0), at(1.08, 0));
   d.arrow(at(0, 0), at(0, 0.158));
@@ -87,10 +87,10 @@ Drawing arc_tangent_series() {
 
 /// The error of two fits swings between bounds.
 Drawing arc_tangent_error() {
-  Drawing d("arc_tangent_error", 640, 300, "The error of a fitted polynomial",
+  Drawing d{"arc_tangent_error", 640, 300, "The error of a fitted polynomial",
             "How far the fitted polynomials are from the arc tangent, for t from 0 to 1. The error "
             "of degree 5 swings four times between two bounds, plus and minus 9.7e-5 turns. That "
-            "of degree 7 swings five times between bounds a seventh as large.");
+            "of degree 7 swings five times between bounds a seventh as large."};
   const Frame at{{80, 150}, 420, 105 / fits::ArcTangent<3>::worst};
   const double worst = fits::ArcTangent<3>::worst;
   d.arrow(at(0, 0), at(1.08, 0));
@@ -124,10 +124,10 @@ Drawing arc_tangent_error() {
 
 /// What a degree gains: the worst error by degree, of the series and of the fits.
 Drawing arc_tangent_degrees() {
-  Drawing d("arc_tangent_degrees", 640, 350, "The worst error by degree",
+  Drawing d{"arc_tangent_degrees", 640, 350, "The worst error by degree",
             "The worst error in texels of a texture 2048 texels wide, for degrees 5 to 35. The "
             "series stays at some ten texels. The fits get about seven times better with every two "
-            "degrees, until the rounding of float, or much later that of double, is larger.");
+            "degrees, until the rounding of float, or much later that of double, is larger."};
   constexpr double texels = 2048;
   const Frame at{{86, 40}, 12.4, 17};  // x by degree - 4, y by the error's decimal logarithm - 2
   const auto place = [&](int degree, double error) {

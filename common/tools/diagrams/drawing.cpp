@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
 #include "engine/files/text.hpp"
 
@@ -86,17 +85,9 @@ std::string path_through(const std::vector<Spot>& spots) {
 
 const char* style() { return style_sheet; }
 
-Drawing::Drawing(std::string name, int width, int height, std::string title,
-                 std::string description)
-    : name_(std::move(name)),
-      width_(width),
-      height_(height),
-      title_(std::move(title)),
-      description_(std::move(description)) {}
-
 void Drawing::line(Spot from, Spot to, const std::string& style) {
-  body_ += "<line class=\"" + style + "\" x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) +
-           "\" x2=\"" + number(to.x) + "\" y2=\"" + number(to.y) + "\"/>\n";
+  body += "<line class=\"" + style + "\" x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) +
+          "\" x2=\"" + number(to.x) + "\" y2=\"" + number(to.y) + "\"/>\n";
 }
 
 void Drawing::arrow(Spot from, Spot to, const std::string& style) {
@@ -113,40 +104,39 @@ void Drawing::arrow(Spot from, Spot to, const std::string& style) {
 }
 
 void Drawing::curve(const std::vector<Spot>& through, const std::string& style) {
-  body_ += "<path class=\"" + style + "\" d=\"" + path_through(through) + "\"/>\n";
+  body += "<path class=\"" + style + "\" d=\"" + path_through(through) + "\"/>\n";
 }
 
 void Drawing::area(const std::vector<Spot>& corners, const std::string& style) {
-  body_ += "<path class=\"" + style + "\" d=\"" + path_through(corners) + "z\"/>\n";
+  body += "<path class=\"" + style + "\" d=\"" + path_through(corners) + "z\"/>\n";
 }
 
-void Drawing::rectangle(Spot corner, double width, double height, const std::string& style) {
-  body_ += "<rect class=\"" + style + "\" x=\"" + number(corner.x) + "\" y=\"" + number(corner.y) +
-           "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\"/>\n";
+void Drawing::rectangle(Spot corner, double wide, double high, const std::string& style) {
+  body += "<rect class=\"" + style + "\" x=\"" + number(corner.x) + "\" y=\"" + number(corner.y) +
+          "\" width=\"" + number(wide) + "\" height=\"" + number(high) + "\"/>\n";
 }
 
 void Drawing::circle(Spot center, double radius, const std::string& style) {
-  body_ += "<circle class=\"" + style + "\" cx=\"" + number(center.x) + "\" cy=\"" +
-           number(center.y) + "\" r=\"" + number(radius) + "\"/>\n";
+  body += "<circle class=\"" + style + "\" cx=\"" + number(center.x) + "\" cy=\"" +
+          number(center.y) + "\" r=\"" + number(radius) + "\"/>\n";
 }
 
 void Drawing::dot(Spot center, const std::string& style) { circle(center, 4, style + " dot"); }
 
 void Drawing::text(Spot at, const std::string& words, Anchor anchor, const std::string& style) {
   constexpr std::array names{"start", "middle", "end"};
-  body_ += "<text class=\"" + style + "\" x=\"" + number(at.x) + "\" y=\"" + number(at.y) +
-           "\" text-anchor=\"" + names.at(static_cast<std::size_t>(anchor)) + "\">" +
-           escaped_markup(words) + "</text>\n";
+  body += "<text class=\"" + style + "\" x=\"" + number(at.x) + "\" y=\"" + number(at.y) +
+          "\" text-anchor=\"" + names.at(static_cast<std::size_t>(anchor)) + "\">" +
+          escaped_markup(words) + "</text>\n";
 }
 
 std::string Drawing::svg() const {
-  const std::string size = std::to_string(width_) + " " + std::to_string(height_);
+  const std::string size = std::to_string(width) + " " + std::to_string(height);
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
          "viewBox=\"0 0 " +
-         size + "\" width=\"" + std::to_string(width_) + "\" height=\"" + std::to_string(height_) +
-         "\">\n<title>" + escaped_markup(title_) + "</title>\n<desc>" +
-         escaped_markup(description_) + "</desc>\n<style>" + style_sheet + "</style>\n" + body_ +
-         "</svg>\n";
+         size + "\" width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
+         "\">\n<title>" + escaped_markup(title) + "</title>\n<desc>" + escaped_markup(description) +
+         "</desc>\n<style>" + style_sheet + "</style>\n" + body + "</svg>\n";
 }
 
 SpaceView::SpaceView(const Vec3d& from, Spot center, double scale)

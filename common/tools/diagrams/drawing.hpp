@@ -26,33 +26,26 @@ enum class Anchor { start, middle, end };
 /// lines are ink, soft (thin, gray), blue, red, green, and dashed together with one of these;
 /// areas are fill-soft, fill-blue, fill-red, fill-green, fill-ink; text is plain, small or strong,
 /// and blue, red or green like the line that it names.
-class Drawing {
- public:
-  /// @param name         of its file, without .svg
-  /// @param title        in a few words
-  /// @param description  for readers who do not see it
-  Drawing(std::string name, int width, int height, std::string title, std::string description);
+struct Drawing {
+  std::string name;  ///< of its file, without .svg
+  int width, height;
+  std::string title;        ///< in a few words
+  std::string description;  ///< for readers who do not see it
+  std::string body{};       ///< what is drawn so far
 
   void line(Spot from, Spot to, const std::string& style = "ink");
   void arrow(Spot from, Spot to, const std::string& style = "ink");
   void curve(const std::vector<Spot>& through, const std::string& style = "ink");
   void area(const std::vector<Spot>& corners, const std::string& style = "fill-soft");
-  void rectangle(Spot corner, double width, double height, const std::string& style = "ink");
+  void rectangle(Spot corner, double wide, double high, const std::string& style = "ink");
   void circle(Spot center, double radius, const std::string& style = "ink");
   void dot(Spot center, const std::string& style = "fill-ink");
   /// A label; its baseline is at `at`.
   void text(Spot at, const std::string& words, Anchor anchor = Anchor::middle,
             const std::string& style = "plain");
 
-  [[nodiscard]] const std::string& name() const { return name_; }
   /// The whole file.
   [[nodiscard]] std::string svg() const;
-
- private:
-  std::string name_;
-  int width_, height_;
-  std::string title_, description_;
-  std::string body_;
 };
 
 /// A view of space without perspective, centered on the origin.

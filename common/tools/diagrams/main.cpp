@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   using namespace texmap::diagrams;
   for (auto* const chapter : {&diagrams_of_07, &diagrams_of_10, &diagrams_of_13}) {
     for (const Drawing& drawing : chapter()) {
-      const fs::path path = folder / (drawing.name() + ".svg");
+      const fs::path path = folder / (drawing.name + ".svg");
       drawn.insert(path.filename());
       if (check && text_of(path) != drawing.svg()) {
         std::cerr << "FAIL: " << path << " is another one: run ./course pages --write\n";
