@@ -42,15 +42,13 @@ struct FilteredTexture : texmap::FilteredTexture {
   }
 
  private:
-  [[nodiscard]] PyramidLevel<double> whole() const { return level_of(pyramid, 0.0); }
-
   Rgb nearest_texel(const Uv<double>& at) const {
     const int width = pyramid.levels.front().width;
     const int column = repeated_column(static_cast<int>(floor(at.u * width)), width);
     if (column < 0 || column >= width) return {1, 0, 1};  // magenta: outside the picture
-    const double height = whole().height;
-    return texel_light(pyramid, whole(), double(column),
-                       remainder_of(floor(at.v * height), height));
+    const PyramidLevel<double> whole = level_of(pyramid, 0.0);
+    return texel_light(pyramid, whole, double(column),
+                       remainder_of(floor(at.v * whole.height), whole.height));
   }
 };
 
