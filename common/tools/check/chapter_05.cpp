@@ -1,7 +1,6 @@
 // The exercises of chapter 05. The lesson is the chapter's own. It uses Rotated by name; here
 // this name, in the lesson's namespace, means a struct that calls the student's function.
 
-#include "engine/run/layout_options.hpp"
 #include "engine/run/turntable.hpp"
 #include "exercises.hpp"
 #include "texture/rotated.hpp"

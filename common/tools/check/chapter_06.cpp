@@ -2,7 +2,6 @@
 // names; here those names, in the lesson's namespace, lead to the student's function.
 #include <numeric>
 
-#include "engine/run/layout_options.hpp"
 #include "engine/run/phong_options.hpp"
 #include "engine/run/planned_highlight.hpp"
 #include "exercises.hpp"

@@ -4,8 +4,6 @@
 #include <optional>
 
 #include "engine/draw/develop.hpp"
-#include "engine/run/layout_options.hpp"
-#include "engine/run/sampling_options.hpp"
 #include "exercises.hpp"
 #include "math/srgb.hpp"
 #include "sampling/samplers.hpp"

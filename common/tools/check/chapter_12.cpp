@@ -4,8 +4,6 @@
 
 #include "engine/draw/develop.hpp"
 #include "engine/draw/gather.hpp"
-#include "engine/run/sampling_options.hpp"
-#include "engine/run/sky_options.hpp"
 #include "exercises.hpp"
 #include "sampling/directions.hpp"
 #include "scene/sky_path.hpp"

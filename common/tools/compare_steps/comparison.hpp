@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/compare/difference.hpp"
-#include "engine/compare/known_mistakes.hpp"
 #include "engine/run/draw_lesson.hpp"
 #include "texture/uv.hpp"
 #include "tools/page/page.hpp"

@@ -5,7 +5,6 @@
 #include "comparison.hpp"
 #include "engine/files/decode_image.hpp"
 #include "engine/files/image_limits.hpp"
-#include "engine/files/load_image.hpp"
 #include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
 
