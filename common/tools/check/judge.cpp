@@ -148,14 +148,6 @@ bool alike(const Value& a, const Value& b) {
 }
 bool alike(double a, double b) { return alike(value_of(a), value_of(b)); }
 
-void append(SlipTable& table, const SlipTable& more) {
-  table.insert(table.end(), more.begin(), more.end());
-}
-
-void add_rule(SlipTable& table, const std::string& rule) {
-  for (Slip& row : table) row.word += (row.word.empty() ? "" : ": ") + rule;
-}
-
 void add_place(SlipTable& all, const SlipTable& table) {
   std::size_t row = 0;
   for (const Slip& slip : table) {
@@ -188,7 +180,7 @@ Verdict judge(const Trial& trial, const std::vector<Value>& values) {
   }
   if (verdict.right) return verdict;
   SlipTable known = trial.slips;
-  append(known, of_parts);
+  known.insert(known.end(), of_parts.begin(), of_parts.end());
   for (Slip& slip : known)
     for (std::size_t i = 0; i < values.size(); ++i) slip.values[i] = seen(slip.values[i], i);
   for (const Slip& slip : known) {

@@ -25,8 +25,6 @@ requires std::is_arithmetic_v<Number>
 [[nodiscard]] inline std::array<double, 2> parts(const Uv<double>& uv) { return {uv.u, uv.v}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
-template <class Out>
-inline constexpr std::size_t count_of_parts = std::tuple_size_v<decltype(parts(Out{}))>;
 
 /// What a function returned, as a list of numbers. judge() reads these lists, whatever the type is,
 /// and is compiled once.
@@ -49,7 +47,7 @@ template <class Out>
     return static_cast<Out>(value.numbers[0]);
   } else {
     return [&]<std::size_t... i>(std::index_sequence<i...>) { return Out{value.numbers[i]...}; }
-    (std::make_index_sequence<count_of_parts<Out>>());
+    (std::make_index_sequence<std::tuple_size_v<decltype(parts(Out{}))>>());
   }
 }
 
@@ -86,11 +84,6 @@ struct Slip {
 };
 using SlipTable = std::vector<Slip>;
 
-/// Adds rows to a table.
-void append(SlipTable& table, const SlipTable& more);
-/// Adds a rule to the words of all rows: "what is wrong: rule".
-void add_rule(SlipTable& table, const std::string& rule);
-
 /// The mistakes with a function, at one place; the same rows at each place. To add one, add a row
 /// {word, value} or {word, {value, value}} to the exercise's table, or a whole table. Rows with one
 /// rule are a table {rule, {row, row}}: each gets the word "what is wrong: rule".
@@ -104,13 +97,13 @@ struct Slips {
     for (const Out value : values) rows[0].values.push_back(value_of(value));
   }
   Slips(std::initializer_list<Slips> tables) {
-    for (const Slips& table : tables) append(rows, table.rows);
+    for (const Slips& table : tables) *this += table;
   }
   Slips(const std::string& rule, std::initializer_list<Slips> tables) : Slips(tables) {
-    add_rule(rows, rule);
+    for (Slip& row : rows) row.word += (row.word.empty() ? "" : ": ") + rule;
   }
   Slips& operator+=(const Slips& more) {
-    append(rows, more.rows);
+    rows.insert(rows.end(), more.rows.begin(), more.rows.end());
     return *this;
   }
 };
