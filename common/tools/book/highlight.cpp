@@ -50,8 +50,7 @@ bool is_of_a_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '#';
 }
 
-}  // namespace
-
+/// A line of C++ or of a build script as HTML: comments, texts and keywords in spans.
 std::string highlighted_line(const std::string& line) {
   std::string html;
   for (std::size_t i = 0; i < line.size();) {
@@ -75,6 +74,8 @@ std::string highlighted_line(const std::string& line) {
   }
   return html;
 }
+
+}  // namespace
 
 std::string trimmed(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');

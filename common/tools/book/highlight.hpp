@@ -8,9 +8,6 @@
 
 namespace texmap::book {
 
-/// A line of C++ or of a build script as HTML: comments, texts and keywords in spans.
-[[nodiscard]] std::string highlighted_line(const std::string& line);
-
 /// Where a block of code is from.
 struct Place {
   std::string html{};             ///< to stand above it; empty: from nowhere

@@ -17,7 +17,7 @@ namespace texmap::steps {
 
 constexpr std::array object_names = {"middle", "left", "right", "ground"};
 
-std::string names_of(ObjectSet objects, const std::string& if_empty) {
+static std::string names_of(ObjectSet objects, const std::string& if_empty) {
   std::string names;
   for (int index = 0; const char* const name : object_names) {
     if (objects.contains(index++)) names.append(names.empty() ? "" : ", ").append(name);

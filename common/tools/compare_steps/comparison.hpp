@@ -81,8 +81,6 @@ struct Comparison {
 /// Errors: DifferenceError if the sizes differ.
 [[nodiscard]] Comparison compare(DrawnStep before, DrawnStep after, ObjectSet may_change = {});
 
-[[nodiscard]] std::string names_of(ObjectSet objects, const std::string& if_empty);
-
 /// All figures as JSON.
 [[nodiscard]] std::string report_json(const Comparison& comparison);
 
