@@ -12,7 +12,7 @@ function worker() {
   let code;
   const json = (start) => JSON.parse(code.answer(start));
   const pixels = (start, count) => code.memory().slice(start, start + 4 * count);
-  const can = {
+  return {
     async load(packed, picture) {
       code = await open(await WebAssembly.compile(await unpacked(packed)));
       return code.lend([picture], (start) => json(code.calls.begin(start, picture.length)));
@@ -40,7 +40,6 @@ function worker() {
       return {...found, picture: pixels(code.calls.judged(), count)};
     },
   };
-  return can;
 }
 // ---- Words.
 const named = ({number, kernel}) => `${number}, ${kernel === "reference" ? "atan2" : kernel}`;
@@ -283,8 +282,6 @@ async function show() {
   const {places} = JSON.parse(document.querySelector("#measured")?.textContent || "{}");
   const known = ways.map((way) => ({...way, ...stated(places, way)}));
   let chosen = 0;
-  const timesOf = () =>
-    Float64Array.from(ways.flatMap((way) => [Math.min(...way.times), median(way.times)]));
   const limit = () => 10 ** slider.value;
   const isTimed = () => ways[0].times.length > 0;
   function tell(best) {
@@ -309,7 +306,8 @@ async function show() {
   // The fastest way that keeps to the slider, or -1, and the front: nothing is both faster and more
   // exact.
   async function found() {
-    if (isTimed()) return ask("choose", limit(), timesOf());
+    if (isTimed()) return ask("choose", limit(), Float64Array.from(ways.flatMap((way) =>
+      [Math.min(...way.times), median(way.times)])));
     const all = known.filter(({times}) => times.length).sort((a, b) => a.times[0] - b.times[0]);
     return {best: all.find(({bound}) => bound <= limit())?.index ?? -1,
       front: all.filter((one, i) => all.slice(0, i).every((other) => other.bound > one.bound))
