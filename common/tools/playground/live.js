@@ -793,12 +793,14 @@ async function live(main, script) {
     },
     seen({column, row, seen, flats}) {
       looking = null;
-      if (flats) keepFlats(seen.map, flats);
+      if (flats) keepFlats(flats);
       if (pixel && pixel.column === undefined && column !== undefined) pixel = {column, row};
       if (nextLook) look(nextLook);
       else if (column === undefined) closeLoupe();
       else if (pixel) showLoupe(column, row, seen);
-      showSpot(!broken && seen.spot);
+      const at = !broken && seen.spot;
+      spot.hidden = !at;
+      if (at) Object.assign(spot.style, {left: `${100 * at[0]}%`, top: `${100 * at[1]}%`});
     },
     refused({of, id, reason}) {
       if (of === "look" || of === "find") { looking = null; return; }
@@ -1336,10 +1338,6 @@ async function live(main, script) {
     const [x, y] = partsOf(event, second);
     if (!lies[chapter] && !pinned) look({x, y});
   }
-  function showSpot(at) {
-    spot.hidden = !at;
-    if (at) Object.assign(spot.style, {left: `${100 * at[0]}%`, top: `${100 * at[1]}%`});
-  }
   second.addEventListener("pointermove", findFrom);
   second.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
   // A finger does not move before it leaves: its tap finds the place, and holds it as a click on
@@ -1606,7 +1604,7 @@ async function live(main, script) {
   }
   // The flat texture with the point in a square and the pixel's outline; and a detail of it.
   let flat = null, part = null;
-  function keepFlats({aspect, object}, {whole: all, detail: some}) {
+  function keepFlats({whole: all, detail: some}) {
     const image = ({columns, bytes}) => new ImageData(new Uint8ClampedArray(bytes.buffer), columns);
     if (all) flat = image(all);
     part = image(some);
