@@ -415,7 +415,7 @@ class Book {
     std::vector<const char*> sheets{up.empty() ? "book.css" : "source.css"};
     if (body.find("class=\"sheet ") != std::string::npos) sheets.push_back("sheets.css");
     if (sized_body != body) sheets.push_back("sizes.css");
-    const std::string live = up.empty() ? live_chapter(current) : "";
+    const std::string live = up.empty() ? live_chapter(current) : "", own = own_script(live);
     if (!live.empty()) sheets.push_back("live/live.css");
     std::string html =
         head_of(title, sheets, up) +
@@ -432,7 +432,7 @@ class Book {
           "hidden></ul></div>\n";
     }
     html += "</header>\n<main id=\"main\"";
-    if (!live.empty() && !has_own_script(live)) {
+    if (!live.empty() && own.empty()) {
       html.append(" data-live=\"").append(live).append("\"");
       html.append(rows_elsewhere(current)).append(slips_of(live));
     }
@@ -442,7 +442,7 @@ class Book {
     if (live_ && body.find("class=\"hero ") != std::string::npos)
       scripts = {"live/live.js", "cover.js", "live/cover.js"};
     if (!live.empty()) scripts = {"live/live.js"};
-    if (!live.empty() && has_own_script(live)) scripts.push_back("live/" + own_script(live));
+    if (!own.empty()) scripts.push_back("live/" + own);
     for (const std::string& script : scripts)
       html.append("<script src=\"").append(script).append("\" defer></script>\n");
     return html;
@@ -498,13 +498,11 @@ class Book {
     return " data-slips=\"" + escaped_markup(Json::list(list).text) + "\"";
   }
 
-  /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone.
+  /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone, if any.
   [[nodiscard]] fs::path playground() const { return root_ / "common/tools/playground"; }
-  [[nodiscard]] static std::string own_script(const std::string& number) {
-    return text("page_%s.js", number.c_str());
-  }
-  [[nodiscard]] bool has_own_script(const std::string& number) const {
-    return fs::exists(playground() / own_script(number));
+  [[nodiscard]] std::string own_script(const std::string& number) const {
+    std::string name = text("page_%s.js", number.c_str());
+    return fs::exists(playground() / name) ? name : "";
   }
 
   /// The number of a page's chapter if its picture is live, else nothing.
@@ -512,7 +510,7 @@ class Book {
     if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
     std::string number = pages_[page].chapter.substr(0, 2);
     const bool has_own =
-        fs::exists(root_ / "docs/live" / (number + ".js")) || has_own_script(number);
+        fs::exists(root_ / "docs/live" / (number + ".js")) || !own_script(number).empty();
     return has_own || (number <= "06" && number > "00" && live_) ? number : "";
   }
 
