@@ -74,7 +74,7 @@ class Search {
         if (left == 0) try_way(way, found, fit);
         return;
       }
-      for (int row = 0; row < rows(place); ++row) {
+      for (int row = 0; row < rows_[static_cast<std::size_t>(place)]; ++row) {
         const bool is_turn = place == turned && row >= not_turned && row < from_origin;
         if (is_turn && stage_.turn.sine == 0) continue;  // nothing is turned
         way.row[static_cast<std::size_t>(place)] = place == degrees ? 90 * row : row;
@@ -222,7 +222,6 @@ class Search {
   }
 
  private:
-  [[nodiscard]] int rows(int place) const { return rows_[static_cast<std::size_t>(place)]; }
   [[nodiscard]] Rgb light_of(const Way& way, const Seen& seen) const {
     ++colors_;
     return program_.light_of(way, seen);
