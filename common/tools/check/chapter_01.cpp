@@ -367,7 +367,7 @@ std::function<Image()> picture_with_lamp(const Vec3d& lamp) {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
+ExercisesOfChapter all_exercises_of_chapter() {
   static const std::vector<Painted<Solid>> balls = {{{{0, 0, 0}, 1}, {}},
                                                     {{{0, 4, 0}, 0.5}, {}},
                                                     {{{0, 20, 0}, 1}, {}},
@@ -394,7 +394,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"a sphere that is 1/4 away hides the lamp", {down, down, {{0, -6, 0}}, all}},
       {"a lamp behind the surface is hidden: 0", {{7, 0, 0}, {1, 0, 0}, {{2, 3, 0}}, all}},
   };
-  static const ExercisesOfChapter chapter{
+  return {
       "01",
       {exercise(distance_to_bowl, picture<Lesson>(),
                 {right_distance, wrong_distances, distance_to_bowl_places}),
@@ -424,7 +424,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
          {51.32,
           "the ambient light counts where the light falls straight, too: that is 1, not 0.8"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

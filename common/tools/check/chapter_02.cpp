@@ -294,8 +294,8 @@ constexpr Place<Place2, int> as_bricks_places[] = {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
-  static const ExercisesOfChapter chapter{
+ExercisesOfChapter all_exercises_of_chapter() {
+  return {
       "02",
       {exercise(chapter_02::uv_of, picture<Lesson>(), {right_place, wrong_places, uv_of_places}),
        exercise(after_walk, picture<Lesson>(),
@@ -316,7 +316,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Which columns are neighbors at the seam, and which colors have they?",
         {{40, "this is one column: at the seam two columns of the same color meet"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

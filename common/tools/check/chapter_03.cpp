@@ -257,7 +257,7 @@ double texels_read() {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
+ExercisesOfChapter all_exercises_of_chapter() {
   // 5 x 2 texels, all bytes different; some of them are 0 and 255. A row has one byte more.
   static const Image image = [] {
     Image made(5, 2);
@@ -273,7 +273,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"the second row begins 16 bytes after the first one", {bytes, 16, 0, 1}},
       {"the fourth texel of the second row has the bytes 250 230 204", {bytes, 16, 3, 1}},
   };
-  static const ExercisesOfChapter chapter{
+  return {
       "03",
       {exercise(column_of, globe(64, 8, 24),
                 {right_column,
@@ -304,7 +304,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "read?",
         {{1.41, "this counts only the texels that the eye sees: the map has more"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

@@ -228,8 +228,8 @@ constexpr Place<Vec3d, Vec3d, Vec3d, Place2, Place2, Place2, bool> is_mirrored_p
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
-  static const ExercisesOfChapter chapter{
+ExercisesOfChapter all_exercises_of_chapter() {
+  return {
       "04",
       {exercise(uv_in, [] { return picture_of(daily_lesson("earth.png"), 18); },
                 {right_place, wrong_places, uv_in_places}),
@@ -256,7 +256,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         {{0.15, "the quarter has the wrong sign: the lecture's u is that of the course less 1/4"},
          {0.35, "this is the course's u: the daily exercise's runs the other way"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

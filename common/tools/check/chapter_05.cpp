@@ -248,8 +248,8 @@ constexpr Place<Vec3d, double, double> looked_up_places[] = {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
-  static const ExercisesOfChapter chapter{
+ExercisesOfChapter all_exercises_of_chapter() {
+  return {
       "05",
       {exercise(turned, picture<Lesson>({"--degrees", "60"}, 18),
                 {right_turn, wrong_turns, turned_places}),
@@ -277,7 +277,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "By how much does the lecture's u differ from the course's, and what does a turn add to u?",
         {{270, "the turn must add 1/4 to the lecture's u, not subtract it"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

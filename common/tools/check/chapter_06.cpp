@@ -276,8 +276,8 @@ double size_of_spot(const std::string& shininess) {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
-  static const ExercisesOfChapter chapter{
+ExercisesOfChapter all_exercises_of_chapter() {
+  return {
       "06",
       {exercise(chapter_06::mirrored, lecture_scene(),
                 {right_mirror, wrong_mirrors, mirrored_places}),
@@ -305,7 +305,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
          {41, "the light's share is a gray, 0.2 of 255: it is not multiplied by the texture"},
          {120, "each has the share 1/2: you add both whole"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

@@ -229,7 +229,7 @@ constexpr Place<Place2, Vec3d, Vec3d, Vec3d, Place2, Place2, Place2> point_of_pl
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
+ExercisesOfChapter all_exercises_of_chapter() {
   /// A triangle around the ray, moved.
   const auto moved = [](double x, double y) {
     return Window{{x - 1, y - 1, 0}, {x + 2, y - 1, 0}, {x, y + 3, 0}};
@@ -260,7 +260,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"the same with four corners, all on one side of the ray: a miss",
        Window{{1, 2, 0}, {2, 4, 0}, {4, 8, 0}, {3, 6, 0}}},
   };
-  static const ExercisesOfChapter chapter{
+  return {
       "08",
       {exercise(is_hit, crate_on_its_edge, {right_hit, wrong_hits, is_hit_places}),
        exercise(point_of, picture<Lesson>(), {right_point, wrong_points, point_of_places})},
@@ -279,7 +279,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Between which whole numbers is -2.3, and is the picture mirrored there?",
         {{0.7, "this is the wrap mode repeat: with mirror every second picture runs backward"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

@@ -264,7 +264,7 @@ constexpr Place<Place2, Place2, Place2, int, int> level_for_places[] = {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
+ExercisesOfChapter all_exercises_of_chapter() {
   const Frames four = {{1, 0, 0.2}, {0, 1, 0.4}, {0.5, 0.5, 0.8}, {0.25, 0.75, 0}},
                three = {red, white, blue};
   static const Place<Frames, double, double> color_at_time_places[] = {
@@ -282,7 +282,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
        {three, 1, 0.3}},
       {"3 frames in 1 second, after 20.9", {three, 1, 20.9}},
   };
-  static const ExercisesOfChapter chapter{
+  return {
       "09",
       {exercise(repeated_column, floor_of(3),
                 {right_column, wrong_columns, repeated_column_places, {}, width_of}),
@@ -309,7 +309,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
           "each level has a quarter of the texels, not half: half of the columns and of the "
           "rows"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

@@ -104,8 +104,8 @@ constexpr Place<Vec3d, Vec3d> scratched_places[] = {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
-  static const ExercisesOfChapter chapter{
+ExercisesOfChapter all_exercises_of_chapter() {
+  return {
       "11",
       {exercise(scratched, picture<Lesson>({}, 21),
                 {right_normal, wrong_normals, scratched_places})},
@@ -124,7 +124,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Which numbers do 128, 128 and 255 mean? Two of them should be 0.",
         {{0.2247, "this is the lean in one direction: x and y lean both"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

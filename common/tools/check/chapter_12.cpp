@@ -216,7 +216,7 @@ double directions_to_the_sun() {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
+ExercisesOfChapter all_exercises_of_chapter() {
   static const Place<Rows> light_of_ground_places[] = {
       {"a sky of light 1: the ground has 1", {Rows{1, 1, 1, 1}}},
       {"two rows: all that counts is the upper one", {{0.5, 7}}},
@@ -228,7 +228,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"5 rows", {{0.9, 0.2, 0.6, 0.8, 0.4}}},
       {"many rows", {{0.1, 0.3, 0.2, 0.9, 0.8, 0.5, 0.3, 0.2, 0.7, 0.1}}},
   };
-  static const ExercisesOfChapter chapter{
+  return {
       "12",
       {exercise(mirrored_sky, photograph, {right_sky, wrong_skies, mirrored_sky_places}),
        exercise(light_of_ground, skies, {right_ground, wrong_grounds, light_of_ground_places}),
@@ -258,7 +258,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
           "this takes the sine at the lower edge of the row at the pole: it begins with the sine "
           "0"}}}},
   };
-  return chapter;
 }
 
 }  // namespace texmap::check

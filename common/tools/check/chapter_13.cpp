@@ -163,7 +163,7 @@ Exercise with_calls(Exercise of) {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
+ExercisesOfChapter all_exercises_of_chapter() {
   static const Place<Ways, int, double> cheapest_places[] = {
       {"the fastest of three that fit, with a texture of 2048 texels",
        {{{9, 0.001, 0.002}, {3, 0.005, 0.009}, {12, 0.003, 0.008}}, 2048, 0.01}},
@@ -195,12 +195,10 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"five objects, the third is the nearest: asked once",
        {Objects{{9, 0.3}, {6, 0.9}, {2, 0.6}, {5, 0.2}, {4, 0.7}}, 0.9}},
   };
-  static const ExercisesOfChapter chapter{
-      "13",
-      {exercise(cheapest, chart, {right_way, wrong_ways, cheapest_places}),
-       with_calls(exercise(counted, asked, {right_count, wrong_counts, seen_places}))},
-      {}};
-  return chapter;
+  return {"13",
+          {exercise(cheapest, chart, {right_way, wrong_ways, cheapest_places}),
+           with_calls(exercise(counted, asked, {right_count, wrong_counts, seen_places}))},
+          {}};
 }
 
 }  // namespace texmap::check

@@ -82,13 +82,11 @@ Image cans() {
 
 }  // namespace
 
-const ExercisesOfChapter& exercises_of_chapter() {
-  static const ExercisesOfChapter chapter{
-      "14",
-      {exercise(discriminant, cans,
-                {right_discriminant, wrong_discriminants, discriminant_places})},
-      {}};
-  return chapter;
+ExercisesOfChapter all_exercises_of_chapter() {
+  return {"14",
+          {exercise(discriminant, cans,
+                    {right_discriminant, wrong_discriminants, discriminant_places})},
+          {}};
 }
 
 }  // namespace texmap::check

@@ -100,7 +100,12 @@ struct ExercisesOfChapter {
  private:
   void give_ids(const std::string& chapter, const std::vector<std::any>& all_starts);
 };
-[[nodiscard]] const ExercisesOfChapter& exercises_of_chapter();
+[[nodiscard]] ExercisesOfChapter all_exercises_of_chapter();
+/// The same, made once.
+[[nodiscard]] inline const ExercisesOfChapter& exercises_of_chapter() {
+  static const ExercisesOfChapter chapter = all_exercises_of_chapter();
+  return chapter;
+}
 
 /// What a function returned in another process at the places of its law: Verdict::values.
 struct Replayed {
