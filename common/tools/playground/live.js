@@ -650,7 +650,9 @@ async function live(main, script) {
     try { hand = engage(); } catch (error) { lost(error.message); return; }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
-    begin();
+    ++latest;  // what the old chapter still draws is out of date
+    unfinished = true;
+    send({kind: "begin", chapter});
   }
   // More workers, once a picture takes long. They help from when they have answered. If one fails,
   // the first draws alone from then on; if one refuses the words, until a picture takes long again.
@@ -676,11 +678,6 @@ async function live(main, script) {
     for (const other of others || []) other.terminate();
     others = left;
     if (unfinished) ask(false);
-  }
-  function begin() {
-    ++latest;  // what the old chapter still draws is out of date
-    unfinished = true;
-    send({kind: "begin", chapter});
   }
   function send(message) {
     if (!hand) return;
