@@ -21,6 +21,17 @@ struct Base {
   }
 };
 
+/// A lesson without a mistake of its own, whose picture has a paint's colors.
+template <class Paint>
+struct Shows : LessonHooks, Base {
+  static constexpr About about{.idea = "a paint"};
+  Paint paint;
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return paint(Hit<Real>{.normal = ray.direction});
+  }
+};
+
 #if MISTAKE == 1
 struct Lesson : LessonHooks, Base {
   static constexpr About about{.idea = "a sky"};
@@ -60,13 +71,7 @@ struct Grays {
     return uv.u;
   }
 };
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "grays"};
-  template <class Real>
-  Color<Real> operator()(const Ray<Real>& ray) const {
-    return Mapped<RtiowMapping, Grays>{}(Hit<Real>{.normal = ray.direction});
-  }
-};
+using Lesson = Shows<Mapped<RtiowMapping, Grays>>;
 #elif MISTAKE == 11
 struct Lesson : LessonHooks, Base {
   static constexpr About about{.idea = "a picture that is never loaded"};
@@ -115,14 +120,7 @@ struct Striped {
     return gray(hit.point.x);
   }
 };
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "a paint"};
-  AnyOf<Solid, Striped> paint{Striped{}};
-  template <class Real>
-  Color<Real> operator()(const Ray<Real>& ray) const {
-    return paint(Hit<Real>{.normal = ray.direction});
-  }
-};
+using Lesson = Shows<AnyOf<Solid, Striped>>;
 #elif MISTAKE == 18
 struct Latitudes {
   template <class Real>
@@ -136,13 +134,7 @@ struct White {
     return gray(Real(1));
   }
 };
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "a mapping"};
-  template <class Real>
-  Color<Real> operator()(const Ray<Real>& ray) const {
-    return Mapped<Latitudes, White>{}(Hit<Real>{.normal = ray.direction});
-  }
-};
+using Lesson = Shows<Mapped<Latitudes, White>>;
 #elif MISTAKE == 19
 struct Lesson : PathLesson {
   static constexpr About about{.idea = "paths without objects"};
@@ -230,17 +222,11 @@ struct Lesson : LessonHooks, Base {
 #elif MISTAKE == 30
 struct Upward {
   template <class Real>
-  Uv<Real> operator()(const Vec3<Real>& normal) {
+  Uv<Real> operator()(const Vec3<Real>& normal) {  // not const
     return {normal.x, normal.z};
   }
 };
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "a mapping that is not const"};
-  template <class Real>
-  Color<Real> operator()(const Ray<Real>& ray) const {
-    return Mapped<Upward, FilteredTexture>{}(Hit<Real>{.normal = ray.direction});
-  }
-};
+using Lesson = Shows<Mapped<Upward, FilteredTexture>>;
 #elif MISTAKE <= 10
 struct Lesson : LessonHooks, Base {
 #if MISTAKE == 8
