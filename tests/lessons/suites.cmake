@@ -60,57 +60,60 @@ string(REPLACE "\"sheet.hpp\"" "\"04_uv_conventions/sheet.hpp\"" lesson "${lesso
 string(REPLACE "  };\n\n  Stage" "      .numbers = Numbers::only_double,\n  };\n\n  Stage" lesson "${lesson}")
 add_handed_in(04_uv_conventions "${lesson}" "only_double.*<double>")
 
-# A lesson that must not compile, by its number, and what the first error must say, in the build for learning and in the other one.
+# add_mistake(NUMBER NAME MESSAGE): a lesson of mistakes.cpp does not compile, and the first error
+# says the message, in the build for learning and in the other one.
+function(add_mistake number mistake message)
+  foreach(build TEXMAP_LEARN ALL_NUMBERS)
+    if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
+      continue()
+    endif()
+    add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20
+      -fsyntax-only -Wfatal-errors -Werror=switch -Werror=return-type -D${build}
+      "-I${CMAKE_CURRENT_BINARY_DIR}/${mistake}" "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}"
+      "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp"
+      WITH PASS_REGULAR_EXPRESSION "${message}")
+  endforeach()
+endfunction()
 if(TAKES_GNU_OPTIONS)
-  set(misspelt_hook "biuld.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|biuld.*override")
-  set(misspelt_fact "no non-static data member named .*idae|field designator 'idae'")
-  set(no_hooks "a lesson begins with")
-  set(no_facts "a lesson is a struct that says what it is about")
-  set(call_that_is_not_const "a lesson is called with a Ray<Real>, from many threads.*is its operator.. const")
-  set(vector_as_color "an object's color must be a Color<Real>: of a Vec3 p it is")
-  set(texture_of_numbers "a texture .* returns no Color<Real> such as gray.x.")
-  set(branch_in_packs "a pack of numbers has no single value for `if`.*Numbers::single")
-  set(branch_in_intervals "may be both true and false, which `if` .*Numbers::single")
-  set(forgotten_build "a lesson with `options` uses them in")
-  set(shape_without_distance "no matching function for call to .distance_to.const texmap::Disk|distance_to.*Disk")
-  set(wave_in_intervals "intervals have no sin.*Numbers::no_intervals")
-  set(no_call "a lesson is called with a Ray<Real>, from many threads, and returns a Color<Real>")
-  set(no_stage "a lesson has a member .stage., with a camera")
-  set(hook_of_another "draw_all.*marked .*override|marked 'override' hides virtual")
-  set(options_of_nobody ".options. names groups that are members of the lesson")
-  set(group_without_declare "no member named .*declare")
-  set(paint_without_call "a paint cannot be called with a hit")
-  set(mapping_to_a_number "a mapping returns a Uv<Real>")
-  set(paths_without_objects "a PathLesson has a list of Painted<Paint> in .objects.")
-  set(ray_for_a_path "a PathLesson is called with a scene, a PixelPlace<Real> and random numbers")
-  set(filter_without_case "enumeration value .?.?.?cubic.* not handled in switch")
-  set(color_not_returned "no return statement in function returning non-void|non-void function does not return a value")
-  set(private_base "${no_hooks}")
-  set(no_idea "${no_facts}")
-  set(facts_of_each "${no_facts}")
-  set(path_to_a_vector "a PathLesson is called with .* returns a Color<Real>")
-  set(shape_without_convex "a shape has distance_to, hit_at and a const convex")
-  set(one_of_shapes_without_convex "${shape_without_convex}")
-  set(mapping_that_is_not_const "a mapping takes a Hit<Real> or its normal")
+  add_mistake(1 misspelt_hook
+    "biuld.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|biuld.*override")
+  add_mistake(2 misspelt_fact "no non-static data member named .*idae|field designator 'idae'")
+  add_mistake(3 no_hooks "a lesson begins with")
+  add_mistake(4 no_facts "a lesson is a struct that says what it is about")
+  add_mistake(5 call_that_is_not_const
+    "a lesson is called with a Ray<Real>, from many threads.*is its operator.. const")
+  add_mistake(6 vector_as_color "an object's color must be a Color<Real>: of a Vec3 p it is")
+  add_mistake(7 texture_of_numbers "a texture .* returns no Color<Real> such as gray.x.")
+  add_mistake(8 branch_in_packs "a pack of numbers has no single value for `if`.*Numbers::single")
+  add_mistake(9 branch_in_intervals "may be both true and false, which `if` .*Numbers::single")
+  add_mistake(10 wave_in_intervals "intervals have no sin.*Numbers::no_intervals")
+  add_mistake(11 forgotten_build "a lesson with `options` uses them in")
+  add_mistake(12 no_call
+    "a lesson is called with a Ray<Real>, from many threads, and returns a Color<Real>")
+  add_mistake(13 no_stage "a lesson has a member .stage., with a camera")
+  add_mistake(14 hook_of_another "draw_all.*marked .*override|marked 'override' hides virtual")
+  add_mistake(15 options_of_nobody ".options. names groups that are members of the lesson")
+  add_mistake(16 group_without_declare "no member named .*declare")
+  add_mistake(17 paint_without_call "a paint cannot be called with a hit")
+  add_mistake(18 mapping_to_a_number "a mapping returns a Uv<Real>")
+  add_mistake(19 paths_without_objects "a PathLesson has a list of Painted<Paint> in .objects.")
+  add_mistake(20 ray_for_a_path
+    "a PathLesson is called with a scene, a PixelPlace<Real> and random numbers")
+  add_mistake(21 shape_without_distance
+    "no matching function for call to .distance_to.const texmap::Disk|distance_to.*Disk")
+  add_mistake(22 filter_without_case "enumeration value .?.?.?cubic.* not handled in switch")
+  add_mistake(23 color_not_returned
+    "no return statement in function returning non-void|non-void function does not return a value")
+  add_mistake(24 private_base "a lesson begins with")
+  add_mistake(25 no_idea "a lesson is a struct that says what it is about")
+  add_mistake(26 facts_of_each "a lesson is a struct that says what it is about")
+  add_mistake(27 path_to_a_vector "a PathLesson is called with .* returns a Color<Real>")
+  add_mistake(28 shape_without_convex "a shape has distance_to, hit_at and a const convex")
+  add_mistake(29 one_of_shapes_without_convex "a shape has distance_to, hit_at and a const convex")
+  add_mistake(30 mapping_that_is_not_const "a mapping takes a Hit<Real> or its normal")
   file(READ "${CMAKE_SOURCE_DIR}/common/texture/filters.hpp" filters)
   string(REPLACE "  nearest, " "  cubic,\n  nearest, " filters "${filters}")
   file(CONFIGURE OUTPUT filter_without_case/texture/filters.hpp CONTENT "${filters}" @ONLY)
-  set(number 0)
-  foreach(mistake misspelt_hook misspelt_fact no_hooks no_facts call_that_is_not_const vector_as_color texture_of_numbers
-      branch_in_packs branch_in_intervals wave_in_intervals forgotten_build no_call no_stage hook_of_another options_of_nobody group_without_declare
-      paint_without_call mapping_to_a_number paths_without_objects ray_for_a_path shape_without_distance
-      filter_without_case color_not_returned private_base no_idea facts_of_each path_to_a_vector shape_without_convex
-      one_of_shapes_without_convex mapping_that_is_not_const)
-    math(EXPR number "${number} + 1")
-    foreach(build TEXMAP_LEARN ALL_NUMBERS)
-      if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
-        continue()
-      endif()
-      add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -Wfatal-errors -Werror=switch -Werror=return-type
-        -D${build} "-I${CMAKE_CURRENT_BINARY_DIR}/${mistake}" "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp"
-        WITH PASS_REGULAR_EXPRESSION "${${mistake}}")
-    endforeach()
-  endforeach()
 endif()
 
 if(TEXMAP_LEARN AND SH AND CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT CMAKE_CXX_FLAGS MATCHES "libc[+][+]")
