@@ -82,7 +82,11 @@ std::string words_of(const slips::Explanation& why) {
   return words;
 }
 
-Vec3d mirrored_normal(Vec3d n) { return {n.x, n.y, -n.z}; }
+// A student's (u, v), by the word for its mistake.
+Uv<double> mirrored(Vec3d n) { return uv_rtiow(Vec3d{n.x, n.y, -n.z}); }
+Uv<double> quarter_turn_off(Vec3d n) { return uv_rtiow(Vec3d{n.z, n.y, -n.x}); }
+Uv<double> striped(Vec3d n) { return {uv_rtiow(n).u - 0.5, uv_rtiow(n).v}; }
+Uv<double> squeezed(Vec3d n) { return {uv_rtiow(n).u, (n.y + 1) / 2}; }
 
 }  // namespace
 
@@ -92,31 +96,17 @@ TEST_CASE("a mistake, or two at once, are found by what they draw") {
     Mistake mistake;
     const char* words;
   } rows[] = {
-      {{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }}, "mirrored;"},
-      {{.uv =
-            [](Vec3d n) {
-              return uv_rtiow(Vec3d{n.z, n.y, -n.x});
-            }},
-       "a quarter turn off;"},
-      {{.uv = [](Vec3d n) -> Uv<double> {
-         return {uv_rtiow(n).u - 0.5, uv_rtiow(n).v};
-       }},
-       "striped;"},
-      {{.uv = [](Vec3d n) -> Uv<double> {
-         return {uv_rtiow(n).u, (n.y + 1) / 2};
-       }},
-       "squeezed at the poles;"},
+      {{.uv = mirrored}, "mirrored;"},
+      {{.uv = quarter_turn_off}, "a quarter turn off;"},
+      {{.uv = striped}, "striped;"},
+      {{.uv = squeezed}, "squeezed at the poles;"},
       {{.uv = [](Vec3d n) { return uv_rtiow(rotation_y(37)(n)); }}, "turned by 37 degrees;"},
       {{.shadows = false}, "without shadows;"},
       {{.ambient = 0}, "black in the shadow;"},
       {{.unlimited = true}, "too dark on the far side;"},
       {{.bgr = true}, "red and blue are exchanged in the texture;"},
-      {{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }, .shadows = false},
-       "mirrored;without shadows;"},
-      {{.uv = [](Vec3d n) -> Uv<double> {
-          return {uv_rtiow(n).u, (n.y + 1) / 2};
-        },
-        .bgr = true},
+      {{.uv = mirrored, .shadows = false}, "mirrored;without shadows;"},
+      {{.uv = squeezed, .bgr = true},
        "squeezed at the poles;red and blue are exchanged in the texture;"},
       {{.ambient = 0.43}, "the ambient light is 0.43 and not 0.2;"},
       {{.lamp = {2, 10, 5}}, "the lamp is at (2, 10, 5) and not at (5, 5, 5);"},
@@ -180,9 +170,9 @@ TEST_CASE("another texture is told from a wrong place in the right one") {
   const Image drawn = render<double>(lesson, view_of(lesson.stage.camera, 800, 600));
   CHECK(has_other_colors(drawn, of_chapter({})));
   CHECK(explain(drawn, of_chapter(crate), 0).different == 0);
-  const Mistake mirrored{.uv = [](Vec3d n) { return uv_rtiow(mirrored_normal(n)); }};
-  CHECK(!has_other_colors(drawn_with(mirrored), of_chapter({})));
-  CHECK(explain(drawn_with(mirrored), of_chapter(crate), 0).different > 500);
+  const Image wrong = drawn_with({.uv = mirrored});
+  CHECK(!has_other_colors(wrong, of_chapter({})));
+  CHECK(explain(wrong, of_chapter(crate), 0).different > 500);
 }
 
 TEST_CASE("the words for grading: of slips, of the whole picture, and none that is not sure") {
