@@ -170,16 +170,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the daily exercise's figures hold on our picture of its bricks, and show the sky") {
+TEST_CASE("the daily exercise's picture of bricks that show the sky is drawn byte for byte") {
   const Image image = published_bricks(800, 600);
-  const auto has = [&](int left, double r, double g, double b) {
-    const Mean is = mean_of(image, left, 250, 100, 100);
-    CHECK(std::abs(is.r - r) < 0.051);
-    CHECK(std::abs(is.g - g) < 0.051);
-    CHECK(std::abs(is.b - b) < 0.051);
-  };
-  has(150, 186.4, 210.8, 247.6);
-  has(550, 188.7, 211.7, 248.5);
   // The published picture's own pixels, row by row.
   CHECK(sha256({&image.pixels[0].r, 3 * image.pixels.size()}) ==
         "8f8a4d49a5c33e1fd76dd2b3904ea00525a2246d2c8225f63695a1b509482a65");
