@@ -9,7 +9,7 @@ target_compile_definitions(bench_groups PRIVATE TEXMAP_BENCH_GROUPS="${CMAKE_CUR
 target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
 target_link_libraries(bench_groups PUBLIC run chapters_code compare PRIVATE project_options)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
+  target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12's std::string (bug 105651)
 endif()
 
 # Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as

@@ -1,4 +1,4 @@
-# What a lesson makes its reader responsible for: the headers of common/ that it includes, directly or not, and their lines.
+# What a lesson's reader answers for: the headers of common/ that it includes, also through others.
 # And what its program must not contain.
 # usage: cmake -D ROOT=project -D LESSON=file -D HEADERS=16 -D LINES=1100 -D FORBIDDEN=uv.hpp;...
 #        [-D NM=nm -D PROGRAM=file -D SYMBOLS=regex] -P closure.cmake

@@ -1,6 +1,6 @@
-# Each lesson touches only what it uses, and its reader answers for few headers. Included by tests/CMakeLists.txt.
+# Each lesson touches only what it uses, and its reader answers for few headers.
 
-# add_closure(CHAPTER HEADERS LINES [header ...]): at most so many headers and lines, and none of these headers.
+# add_closure(CHAPTER HEADERS LINES [header ...]): at most so many headers and lines, none of these.
 function(add_closure chapter headers lines)
   if(NOT TARGET ${chapter})
     return()
@@ -18,7 +18,7 @@ endfunction()
 set(by_07 path.hpp lens.hpp sampling_options.hpp)
 set(by_06 phong.hpp phong_options.hpp ${by_07})
 set(by_05 rotation.hpp rotated.hpp turntable.hpp ${by_06})
-set(moved transformed.hpp uv_options.hpp look_up.hpp wrapped.hpp wrap.hpp)  # of chapters 04 and 08 alone
+set(moved transformed.hpp uv_options.hpp look_up.hpp wrapped.hpp wrap.hpp)  # of 04 and 08 alone
 set(by_04 conventions.hpp layout_options.hpp ${moved} ${by_05})
 set(by_03 image.hpp image_texture.hpp texel.hpp texture_file.hpp ${by_04})
 set(by_02 uv.hpp mapped.hpp checkerboard.hpp ${by_03})

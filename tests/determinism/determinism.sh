@@ -32,7 +32,7 @@ check_pictures() {
       echo "FAIL: $name: $chapter offers no --number"
       failed=1
     }
-    # Many pixels: a number's last bit changes few bytes. Chapter 07 smooths pixels from 12 samples on, without its ground.
+    # Many pixels: a last bit changes few bytes. 07 smooths from 12 samples on, without its ground.
     # 09 and 10 would draw sheets, and work on their whole texture first: a small one is enough.
     ways=plain size="--width 192 --height 144 --samples 2" texture=
     ! grep -q '^ *--budget ' "$work/help" || ways="plain budget:levels=1"
@@ -92,7 +92,7 @@ if [ $# = 0 ]; then
     tail -n 30 "$native.log"
     exit 1
   fi
-  # A fused a*b+c rounds once: no program may have them, neither by the compiler's choice nor by a library's.
+  # A fused a*b+c rounds once: no program may have it, by the compiler's choice or by a library's.
   if command -v objdump >/dev/null 2>&1 &&
     objdump -d --no-show-raw-insn "$native/bin/06_phong_texture_blend" | grep -q 'vfn\{0,1\}m\(add\|sub\)'; then
     echo "FAIL: there are fused multiplications and additions"
@@ -101,7 +101,7 @@ if [ $# = 0 ]; then
   set -- "$@" "$native"
 fi
 for build in "$@"; do check_pictures "$build"; done
-# Programs ask the C library for nothing that a picture shows; a program that asks it for exp sees that it is another one.
+# No picture depends on the C library; a program that asks it for exp sees that it is another one.
 other=$work/off_by_an_ulp.so
 printf '%s\n' '#include <math.h>' 'int main(int n, char **words) {' '  volatile double x = n; (void)words;' \
   '  for (int i = 0; i < 99; ++i) if (exp(x) != exp(x)) return 0;' '  return 1;' '}' >"$work/asks.c"

@@ -1,4 +1,4 @@
-# The suites of what makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/. Included by tests/CMakeLists.txt.
+# What makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/.
 
 file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" number/test_*.cpp engine/files/test_*.cpp
   engine/fast/test_*.cpp engine/draw/test_*.cpp engine/run/test_*.cpp engine/compare/test_interleaved.cpp
@@ -15,7 +15,7 @@ foreach(suite IN LISTS suites)
   endif()
   add_suite(${suite} ${posix} ON compare run LABELS common)
 endforeach()
-target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
+target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # for the same files
 target_link_libraries(test_save_png PRIVATE stb_image)
 add_suite(engine/run/test_session_line ON files LABELS common)
 target_compile_definitions(test_session_line PRIVATE TEXMAP_BIN="$<TARGET_FILE_DIR:05_y_rotation>/")
@@ -31,13 +31,13 @@ endif()
 add_suite(engine/draw/test_certainty_map ON run LABELS extremes)
 
 # The kernels' coefficients against the program that fits them.
-if(TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64")  # the fit needs an 80-bit long double
+if(TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64")  # an 80-bit long double
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
   target_link_libraries(check_kernels PRIVATE project_options common)
   add_test(NAME kernel_coefficients COMMAND check_kernels)
 endif()
 
-# Each look-up instruction's own program: it has no other code, and does not run where the machine lacks the instructions.
+# Each look-up instruction has a program of its own, which does not run where the machine lacks it.
 foreach(instructions IN LISTS WIDE_PACKS)
   set(suite test_fetched_${instructions})
   add_executable(${suite} engine/fast/test_fetched.cpp)

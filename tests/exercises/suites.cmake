@@ -1,6 +1,6 @@
-# The exercises: each fails as shipped, its solution passes, each known mistake gets its word. Included by tests/CMakeLists.txt.
+# The exercises: each fails as shipped, its solution passes, each known mistake gets its word.
 
-if(NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and convert NaN, and nothing else of the project is in them
+if(NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and convert NaN
   get_property(numbers GLOBAL PROPERTY CHAPTERS_WITH_EXERCISES)
   foreach(number IN LISTS numbers)
     get_property(names GLOBAL PROPERTY EXERCISES_OF_${number})

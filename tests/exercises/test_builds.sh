@@ -35,7 +35,7 @@ fail() {
   exit 1
 }
 
-# expect NAME KEPT SAID: ./course run 01 draws; a file in build/learn is kept or gone; the line about the folder is said or not.
+# expect NAME kept|gone said|silent: ./course run 01 draws; a file in build/learn, and the line.
 expect() {
   said=$(./course run 01 2>&1) || fail "$1: it stopped: $said"
   case "$said" in *drawn*) ;; *) fail "$1: nothing was drawn: $said" ;; esac

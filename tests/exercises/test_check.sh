@@ -55,7 +55,7 @@ fail() {
   failed=$((failed + 1))
   printf 'FAIL: %s\n' "$1"
 }
-# expect NAME STATUS TEXT ARGUMENT...: ./course check ARGUMENT... ends with the status and says the text.
+# expect NAME STATUS TEXT ARGUMENT...: ./course check ARGUMENT... ends with STATUS and says TEXT.
 expect() {
   name=$1 wanted=$2 text=$3
   shift 3

@@ -1,7 +1,7 @@
-# What ./course does with its builds, and what check and watch say, tried from outside. Included by tests/CMakeLists.txt.
+# What ./course does with its builds, and what check and watch say, tried from outside.
 
 if(SH AND NOT TEXMAP_INSTRUMENT)
-  # What the program says of a mistake that its picture does not show, and of an answer in another unit.
+  # What the program says of a mistake that no picture shows, and of an answer in another unit.
   write_attempt(almost_01_1 01.1 "#include \"${CMAKE_CURRENT_SOURCE_DIR}/exercises/almost_01_1.hpp\"\n" "std::function(&::distance_to_bowl)" "")
   add_executable(almost_01_1 "${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp")
   target_link_libraries(almost_01_1 PRIVATE check_main exercises_01 project_options)

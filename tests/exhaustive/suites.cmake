@@ -1,6 +1,6 @@
 # Every float of a kernel's domain, and every texel of every size. Included by tests/CMakeLists.txt.
 
-# Where programs are slow, one row of floats of so many is run: with sanitizers, without optimisation, without vectors.
+# One row of floats of so many is run where programs are slow: sanitized, not optimised, no vectors.
 set(one_row_of 1)
 if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug" OR NOT TARGET xsimd)
   set(one_row_of 64)

@@ -1,7 +1,7 @@
-# The suites that measure errors against 50 digits, and the program that writes docs/numbers.md from the same claims.
+# Errors against 50 digits: the suites, and the program that writes docs/numbers.md from the claims.
 
 if(TEXMAP_INSTRUMENT)
-  return()  # Boost's numbers take minutes to compile with sanitizers; the suites of each header run the same functions
+  return()  # Boost's numbers take minutes to compile sanitized; other suites run the same functions
 endif()
 if(NOT boost_multiprecision_INCLUDE_DIR)
   message(STATUS "Boost.Multiprecision not found: no tests against 50 digits (Debian libboost-dev, Fedora boost-devel, Arch boost, brew boost)")
@@ -18,10 +18,10 @@ target_include_directories(claims PUBLIC extremes support "${CMAKE_CURRENT_SOURC
 target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
 set_target_properties(claims PROPERTIES WIDER_REFERENCES ON)
 if(TAKES_GNU_OPTIONS)
-  target_compile_options(claims PRIVATE $<$<CONFIG:Release>:-O1>)  # a third less time to compile, as for suites
+  target_compile_options(claims PRIVATE $<$<CONFIG:Release>:-O1>)  # as suites: a third less time
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(claims PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
+  target_compile_options(claims PRIVATE -Wno-restrict)  # g++ 12's own std::string (bug 105651)
 endif()
 
 # Builds without optimisation are some ten times slower.

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Searches for inputs that break a claim, with libFuzzer and sanitizers. Builds in build/fuzz.
-# usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target unless told otherwise, two targets at a time
+# usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target by default, two targets at a time
 #        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_read_obj; all unless told otherwise
 # What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
 # build/fuzz/finds. Once the fault is fixed, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
-# exit status: 0 nothing was found; 1 something was, or the targets do not compile; 77 a package is missing
+# exit status: 0 nothing found; 1 something found, or no target compiles; 77 a package is missing
 set -eu
 usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_read_obj ...]'
 tree=$(cd "$(dirname "$0")/../.." && pwd)
@@ -62,7 +62,7 @@ search() {
     >/dev/null 2>"$build/logs/$1" || echo "search ended with status $?" >>"$build/logs/$1"
 }
 
-# report TARGET: one line of figures; after a find, what was found and how to see it again, and status 1.
+# report TARGET: one line of figures; after a find, what it is, how to see it again, and status 1.
 report() {
   log=$build/logs/$1
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")

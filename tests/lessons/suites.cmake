@@ -1,4 +1,4 @@
-# Lessons as their writers may write them, and what the compiler says of their mistakes. Included by tests/CMakeLists.txt.
+# Lessons as their writers may write them, and what the compiler says of their mistakes.
 
 add_suite(lessons/test_lessons ON run LABELS lessons)
 
@@ -18,7 +18,7 @@ if(PYTHON3)
   target_include_directories(test_changes PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
 endif()
 
-# Right lessons in plain C++, as students hand them in, made of the chapters' own: the chapters' tests with those lessons.
+# The chapters' tests with right lessons in plain C++, as students hand them in.
 function(add_handed_in chapter text must_have)
   if(NOT text MATCHES "${must_have}")  # somebody changed the lesson
     if(TEXMAP_WERROR)
@@ -34,7 +34,7 @@ function(add_handed_in chapter text must_have)
   target_include_directories(handed_in_${chapter} BEFORE PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/handed_in")
 endfunction()
 
-# Chapter 02 by the textbook's formulas. Who learns has one number, and no reason to say that std::acos has no packs.
+# 02 by the textbook's formulas. A build for learning need not be told that std::acos has no packs.
 file(READ "${TEXMAP_CHAPTERS}/02_checkerboard_uv/lesson.hpp" lesson)
 string(REPLACE "#include <vector>" "#include <algorithm>\n#include <cmath>\n#include <numbers>\n#include <vector>" lesson "${lesson}")
 string(REPLACE "using Checkered = Mapped<RtiowMapping" [[
@@ -64,7 +64,7 @@ add_handed_in(04_uv_conventions "${lesson}" "only_double.*<double>")
 # says the message, in the build for learning and in the other one.
 function(add_mistake number mistake message)
   foreach(build TEXMAP_LEARN ALL_NUMBERS)
-    if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
+    if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # it has no packs, no intervals
       continue()
     endif()
     add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20

@@ -1,4 +1,4 @@
-# An optional package that does not work: a line says so, and CMake stops only where packs are required.
+# An optional package does not work: a line says so, and CMake stops only where packs are required.
 # usage: cmake -D ROOT=project -D CXX=compiler -D OUT=folder -P broken_packages.cmake
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${OUT}")

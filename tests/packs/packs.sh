@@ -1,5 +1,5 @@
 #!/bin/sh
-# Packs of every width draw the pictures that plain double draws, and the program's other functions run on every machine.
+# Packs of every width draw the pictures of plain double; other functions run on every machine.
 # usage: packs.sh BIN CHAPTER...      BIN holds the chapters' programs and compare
 set -eu
 bin=${1:?usage: packs.sh BIN CHAPTER...}

@@ -1,6 +1,6 @@
 # Packs of every width, forced one after the other. Included by tests/CMakeLists.txt.
 
-if(UNIX AND SH AND TARGET xsimd AND NOT TEXMAP_INSTRUMENT)  # instrumented programs have packs of one width
+if(UNIX AND SH AND TARGET xsimd AND NOT TEXMAP_INSTRUMENT)  # instrumented packs have one width
   get_property(chapters GLOBAL PROPERTY CHAPTERS)
   list(FILTER chapters EXCLUDE REGEX "^(00|13|14)_")  # 00 and 14 are not drawn with packs; 13's sheet is the same for all packs by design
   add_check(packs laws "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" "$<TARGET_FILE_DIR:01_plain_spheres>" ${chapters})

@@ -34,7 +34,7 @@ awk '
     if (!recognized) print "no wide functions are recognized"
     for (i = 1; i <= calls; i++) {
       if (!is_wide(name[caller[i]])) called_by_plain[called[i]] = 1
-      # A compiler cleans wherever it must or, without that pass, nowhere: where plain code enters shows which.
+      # A compiler cleans where it must or, without that pass, nowhere: calls by plain code show it.
       if (called[i] in upper && !(caller[i] in upper) && !(called[i] in cleans)) print name[called[i]] ", which leaves upper halves in use"
     }
     for (at in wide) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A program that is no part of the course uses the textbook: what docs/architecture.md tells, word for word.
+# A program outside the course uses the textbook: what docs/architecture.md tells, word for word.
 # usage: outside.sh ROOT WORK      WORK: a folder for the program, made anew
 set -eu
 rm -rf "$2"
@@ -28,7 +28,7 @@ while read -r command; do
   [ ! -f globe.ppm ] || mv globe.ppm "drawn_$((drawn += 1)).ppm"
 done <commands
 cmp drawn_1.ppm drawn_2.ppm || fail "two programs should have drawn the same picture"
-# The globe's middle points at the eye: (u, v) = (0.25, 0.60) is in column 2 and row 6 of 10, and even squares are blue.
+# The globe's middle, (u, v) = (0.25, 0.60), is in column 2 and row 6 of 10: even squares are blue.
 [ "$(pixel drawn_1.ppm 200 150)" = " 51 51 204" ] || fail "the middle is$(pixel drawn_1.ppm 200 150)"
 [ "$(pixel drawn_1.ppm 0 0)" = " 127 178 255" ] || fail "the corner is$(pixel drawn_1.ppm 0 0)"
 ! grep -E 'stb|doctest|xsimd|TEXMAP' build/CMakeCache.txt || fail "the course asks for packages or has options"

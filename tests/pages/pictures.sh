@@ -1,7 +1,7 @@
 #!/bin/sh
 # The pictures of docs/pictures are what the commands in its README draw.
 # usage: pictures.sh ROOT BIN [--write]    BIN holds the chapters' programs, compare and mark_crops;
-#        --write draws those that are out of date, and packs them and those of symptoms/, with ImageMagick's convert
+#        --write draws those out of date, and packs them and those of symptoms/, by ImageMagick
 set -eu
 root=$1
 bin=$2
@@ -32,7 +32,7 @@ keep() {
     -define png:include-chunk=none "png8:$2"
 }
 
-# check DRAWN FILE: FILE of docs/pictures shows what is drawn; in 256 colors few pixels are far from it.
+# check DRAWN FILE: FILE of docs/pictures shows what is drawn, with few pixels far off (256 colors).
 check() {
   tried=$((tried + 1))
   "$bin/compare" --pixels-off-by-more-than 24 --at-most 0.1% "$1" "$root/docs/pictures/$2" >>"$work/log" 2>&1 && return

@@ -1,7 +1,7 @@
-# What the pages take from elsewhere: code, measured figures, diagrams. Included by tests/CMakeLists.txt.
+# What the pages take from elsewhere: code, measured figures, diagrams.
 
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
-add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)  # what stands on the sheets, which the book shows in pieces
+add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)  # the book shows them in pieces
 foreach(program page_figures page_sheets)
   target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
   target_link_libraries(${program} PRIVATE project_options run chapters_code 13_speed_for_accuracy_code compare)

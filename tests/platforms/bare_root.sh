@@ -4,7 +4,7 @@
 # usage: bare_root.sh SUITE [COMMAND...]     SUITE: bookworm | trixie | sid
 # The bare root is kept packed in ${XDG_CACHE_HOME:-~/.cache}/texmap-roots, or in build/bare if that
 # cannot be written; build/bare/SUITE has what the commands left.
-# exit status: 0 no failure and no warning; 1 one of them; 77 not possible here; the last line says it
+# exit status: 0 no failure, no warning; 1 one of them; 77 not possible here; the last line says it
 set -euo pipefail
 suite=${1:?usage: bare_root.sh SUITE [COMMAND...]}
 shift

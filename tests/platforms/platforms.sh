@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the course for another system on a Debian machine, and tries it: pictures against the golden ones, and suites of tests.
-# usage: platforms.sh SYSTEM [CMAKE_OPTION...]     with a native build in build/release; builds in build/platforms/SYSTEM
-#        SYSTEM: windows (mingw, wine) | arm64 | armhf (qemu) | libcxx (clang++ with the library of macOS)
+# usage: platforms.sh SYSTEM [CMAKE_OPTION...]   needs build/release; makes build/platforms/SYSTEM
+#        SYSTEM: windows (mingw, wine) | arm64 | armhf (qemu) | libcxx (clang++, macOS's library)
 # exit status: 0 all is well; 1 something is not; 77 a package is missing
 set -eu
 system=${1:?usage: platforms.sh windows|arm64|armhf|libcxx [CMAKE_OPTION...]}
@@ -53,7 +53,7 @@ case $system in
     # None that starts programs: wine's cmd now and then starts none. The golden pictures and the faults below start them without it.
     suites="$numbers $images test_files test_windows_files test_command_line"
     export WINEPREFIX="$tree/build/platforms/wine" WINEDEBUG=-all
-    # One server for all programs. If each starts its own, one in 250 meets the end of the last server
+    # One server for all programs. If each starts its own, one in 250 meets the end of the last one
     # and ends with status 1, without a word.
     mkdir -p "$WINEPREFIX"
     timeout 10 wineserver -k || true
@@ -90,7 +90,7 @@ case $system in
     chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
       07_earth_by_sampling 08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map
       14_numerical_extremes"
-    # Those that use the library; what only calculates is compiled by clang++ with sanitizers as well.
+    # Those that use the library; what only calculates, clang++ compiles with sanitizers as well.
     suites="$numbers $images test_mesh test_filters test_render test_command_line test_files"
     cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_CXX_FLAGS=-stdlib=libc++ "$o1" "$@"
     ;;

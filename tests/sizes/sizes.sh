@@ -1,7 +1,7 @@
 #!/bin/sh
 # The largest pictures, textures and numbers of samples: memory as docs/architecture.md states it, Ctrl-C at any moment, progress.
-# usage: sizes.sh [--part] BIN    BIN holds the chapters' programs. --part: smaller pictures and ten times as patient, for CI
-# exit status: 0 all is well; 1 something is not; 77 the system cannot tell (no /proc, no GNU env or date)
+# usage: sizes.sh [--part] BIN   BIN: the programs' folder. --part: smaller, more patient, for CI
+# exit status: 0 all is well; 1 something is not; 77 no way to tell (no /proc, no GNU env or date)
 # Ctrl-C should end a program within 0.2 s. More than 0.5 s is a failure: others may use the machine, and to free the memory takes the
 # system up to half a millisecond for each MiB.
 set -eu
@@ -60,7 +60,7 @@ measure() {
   finish
 }
 
-# expect_memory WHAT PIXELS BYTES PROGRAM OPTION...: so many bytes for each of so many pixels or texels, and 16 MiB.
+# expect_memory WHAT PIXELS BYTES PROGRAM OPTION...: BYTES for each of PIXELS or texels, and 16 MiB.
 expect_memory() {
   what=$1 pixels=$2 bytes=$3
   shift 3
@@ -111,7 +111,7 @@ cmp -s "$work/samples.png" "$work/measured.png" || fail "07, 4096 samples: one t
 
 mkdir "$work/there"
 
-# interrupt MS WHAT PROGRAM OPTION...: Ctrl-C after so many ms. What the program leaves of files, tests/faults looks at.
+# interrupt MS WHAT PROGRAM OPTION...: Ctrl-C after MS. tests/faults looks at the files it leaves.
 interrupt() {
   when=$1 what=$2 program=$3
   shift 3
