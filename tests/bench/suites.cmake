@@ -1,6 +1,5 @@
-# What things take: bench_ratios. Included by tests/CMakeLists.txt.
-# Nothing of it is built unless asked for: it takes a third as long as all the rest. Its tests have the label bench; the target `bench`
-# builds what they need.
+# What things take: bench_ratios. Nothing of it is built unless asked for: it takes a third as long
+# as all the rest. Its tests have the label bench; the target `bench` builds what they need.
 
 # Everything that is measured: the program and its tests use it.
 add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/ledger_group.cpp bench/report.cpp
@@ -12,8 +11,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12's std::string (bug 105651)
 endif()
 
-# Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as
-# common/engine/draw/wide_packs.hpp explains.
+# Packs of wide instructions: files of their own, compiled with the options that the chapters' are.
+# They are linked last, as common/engine/draw/wide_packs.hpp explains.
 set(wide_sets ${WIDE_PACKS})
 set(bench_objects bench_groups)
 if(wide_sets)

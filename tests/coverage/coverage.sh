@@ -3,8 +3,9 @@
 # all and for each file below 95 %. A line counts as reached if it is reached with any number.
 # usage: coverage.sh            builds in build/coverage; eight minutes of processor time
 #        coverage.sh --report   of the last run
-# Code for other systems and wider instructions is not counted. Not reached is what is computed at compile time alone (tables), and what
-# only tests without counters reach: of faults on the programs, of the build for learning, against 50 digits, benchmarks.
+# Code for other systems and wider instructions is not counted. Not reached is what is computed at
+# compile time alone (tables), and what only tests without counters reach: of faults on the
+# programs, of the build for learning, against 50 digits, benchmarks.
 # exit status: 0 at least 95 %; 1 less, or a test failed; 77 a program is missing
 set -eu
 cd "$(dirname "$0")/../.."

@@ -17,8 +17,8 @@ mkdir "$work/first"
 compared=0
 failed=0
 
-# check_pictures BUILD [LIBRARY]: draws all that its programs offer, with a library put before the system's. A picture that is new is kept;
-# it is what later ones are compared with.
+# check_pictures BUILD [LIBRARY]: draws all that its programs offer, with a library put before the
+# system's. A picture that is new is kept; it is what later ones are compared with.
 check_pictures() {
   name=$1 bin=$1/bin library=${2:-}
   drawn=0

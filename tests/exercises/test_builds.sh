@@ -1,7 +1,8 @@
 #!/bin/sh
-# What ./course does with its builds, with a stand-in for cmake. In a course that was copied elsewhere, the build that a command needs is
-# made anew, with a line that says so; the others stay, and --help deletes none. What the build beside the first chapters says comes into
-# the log; a chapter that fails ends it. Where nothing was saved since a build there is none.
+# What ./course does with its builds, with a stand-in for cmake. In a course that was copied
+# elsewhere, the build that a command needs is made anew, with a line that says so; the others stay,
+# and --help deletes none. What the build beside the first chapters says comes into the log; a
+# chapter that fails ends it. Where nothing was saved since a build there is none.
 # usage: test_builds.sh ROOT
 set -eu
 root=$1

@@ -2,8 +2,9 @@
 # Searches for inputs that break a claim, with libFuzzer and sanitizers. Builds in build/fuzz.
 # usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target by default, two targets at a time
 #        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_read_obj; all unless told otherwise
-# What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
-# build/fuzz/finds. Once the fault is fixed, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
+# What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that
+# break a claim stay in build/fuzz/finds. Once the fault is fixed, such an input belongs into
+# tests/fuzz/finds/TARGET, where every run and ctest try it first.
 # exit status: 0 nothing found; 1 something found, or no target compiles; 77 a package is missing
 set -eu
 usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_read_obj ...]'

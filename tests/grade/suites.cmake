@@ -7,8 +7,8 @@ if(UNIX AND PYTHON3)
   add_check(test_grading "grading;posix" "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_grading.py" "$<TARGET_FILE_DIR:judge_pictures>")
 endif()
 
-# Checkouts: the course is built once more, as students' programs are built. What is contained, limited and kept: attacks, loops and
-# cheats by students' programs.
+# Checkouts: the course is built once more, as students' programs are built. What is contained,
+# limited and kept: attacks, loops and cheats by students' programs.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
   add_check(grade_checkouts grade "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_checkouts.py"
     "$<TARGET_FILE_DIR:judge_pictures>" "${CMAKE_BINARY_DIR}/grade" WITH SKIP_RETURN_CODE 77 TIMEOUT 1800)

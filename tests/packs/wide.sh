@@ -1,17 +1,19 @@
 #!/bin/sh
-# What wide instructions must not do to a program. There are none in functions that are not named after them: not every machine has
-# them. (Functions of target_clones end in .arch_x86_64_v3: the loader chooses them. A compiler's clone of a plain function, .isra,
-# .constprop, .part, is local to its file: it may have them where all of its callers are wide functions.) And where plain code goes on,
-# the upper halves of the vector registers are clean: until vzeroupper has run every plain instruction pays, up to eight times, and what
-# is timed next to wide code is timed wrong.
+# What wide instructions must not do to a program. There are none in functions that are not named
+# after them: not every machine has them. (Functions of target_clones end in .arch_x86_64_v3: the
+# loader chooses them. A compiler's clone of a plain function, .isra, .constprop, .part, is local to
+# its file: it may have them where all of its callers are wide functions.) And where plain code goes
+# on, the upper halves of the vector registers are clean: until vzeroupper has run every plain
+# instruction pays, up to eight times, and what is timed next to wide code is timed wrong.
 # usage: wide.sh PROGRAM      77 if there is no objdump, or nothing to find
 set -eu
 program=${1:?usage: wide.sh PROGRAM}
 command -v objdump >/dev/null 2>&1 || exit 77
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# For each instruction with a name that begins with v, as those of AVX and later do: its function; so too for registers with an upper
-# half (16 to 31 cost nothing). For each call: both functions. Functions go by their address: clones in several files may have one name.
+# For each instruction with a name that begins with v, as those of AVX and later do: its function;
+# so too for registers with an upper half (16 to 31 cost nothing). For each call: both functions.
+# Functions go by their address: clones in several files may have one name.
 objdump -d --no-show-raw-insn "$program" |
   awk '/^[0-9a-f]+ </ { at = $1; sub(/^0+/, "", at); gsub(/[<>:]/, "", $2); print "name", at, $2 }
     $2 ~ /^v[a-z0-9]+$/ { print "wide", at }

@@ -20,8 +20,8 @@ fail() {
   failed=1
 }
 
-# keep DRAWN FILE: in 256 colors and without row filters it takes a third of the bytes. The grain of wood takes few colors; the README's
-# large picture would show bands.
+# keep DRAWN FILE: in 256 colors and without row filters it takes a third of the bytes. The grain of
+# wood takes few colors; the README's large picture would show bands.
 keep() {
   colors=256
   case $2 in

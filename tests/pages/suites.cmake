@@ -18,8 +18,8 @@ if(SH AND NOT TEXMAP_INSTRUMENT)
   endforeach()
 endif()
 
-# The page of chapter 03 shows pieces of code, each after a mark that says where it goes in chapter 00's file: with all of them the
-# file draws chapter 03's picture.
+# The page of chapter 03 shows pieces of code, each after a mark that says where it goes in chapter
+# 00's file: with all of them the file draws chapter 03's picture.
 if(SH AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
   set(one_file "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp")
   set(earth_page "${CMAKE_SOURCE_DIR}/chapters/03_image_texture/README.md")
@@ -54,8 +54,8 @@ add_suite(playground/test_microscope ON run chapters_code test_support LABELS pa
 if(PYTHON3)
   add_check(reference_pages pages "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/reference_pages.py" "${CMAKE_SOURCE_DIR}")
 endif()
-# In a browser: the live pictures, as they are in docs/live/, and the book. Where there is no browser
-# the tests are skipped.
+# In a browser: the live pictures, as they are in docs/live/, and the book. Where there is no
+# browser the tests are skipped.
 if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   function(add_browser_check name label script)
     add_check(${name} ${label} "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/${script}.py" ${ARGN}

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Faults of the Windows programs, run by wine: what tests/faults tries on every system, and names, NUL and a full disk as Windows has
-# them. Left out are faults.py's parts that need signals, links, limits of memory or closed streams as POSIX has them.
+# Faults of the Windows programs, run by wine: what tests/faults tries on every system, and names,
+# NUL and a full disk as Windows has them. Left out are faults.py's parts that need signals, links,
+# limits of memory or closed streams as POSIX has them.
 # usage: windows_faults.sh BIN      BIN holds a command for each chapter
 set -u
 bin=${1:?usage: windows_faults.sh BIN}

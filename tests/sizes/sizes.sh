@@ -2,8 +2,8 @@
 # The largest pictures, textures and numbers of samples: memory as docs/architecture.md states it, Ctrl-C at any moment, progress.
 # usage: sizes.sh [--part] BIN   BIN: the programs' folder. --part: smaller, more patient, for CI
 # exit status: 0 all is well; 1 something is not; 77 no way to tell (no /proc, no GNU env or date)
-# Ctrl-C should end a program within 0.2 s. More than 0.5 s is a failure: others may use the machine, and to free the memory takes the
-# system up to half a millisecond for each MiB.
+# Ctrl-C should end a program within 0.2 s. More than 0.5 s is a failure: others may use the
+# machine, and to free the memory takes the system up to half a millisecond for each MiB.
 set -eu
 part=no
 patience=500 # ms that Ctrl-C may take
@@ -27,7 +27,7 @@ fail() {
   failed=1
 }
 
-# --- Memory ------------------------------------------------------------------------------------------------------------------
+# --- Memory ---------------------------------------------------------------------------------------
 
 # draw PROGRAM OPTION...: begins to draw measured.png.
 draw() {
@@ -107,7 +107,7 @@ cp "$work/measured.png" "$work/samples.png"
 measure 07_earth_by_sampling --width 64 --height 48 --samples 4096 --threads 1
 cmp -s "$work/samples.png" "$work/measured.png" || fail "07, 4096 samples: one thread draws another picture"
 
-# --- Ctrl-C ------------------------------------------------------------------------------------------------------------------
+# --- Ctrl-C ---------------------------------------------------------------------------------------
 
 mkdir "$work/there"
 
@@ -150,15 +150,16 @@ interrupt_often() {
 interrupt_often 03_image_texture --texture "$work/texture.png" --width "$width" --height "$height"
 interrupt_often 07_earth_by_sampling --texture "$work/texture.png" --width "$width" --height "$((height / 4))" --samples 2
 
-# --- Progress ------------------------------------------------------------------------------------------------------------------
+# --- Progress -------------------------------------------------------------------------------------
 
 if script -qec true /dev/null >/dev/null 2>&1; then
   samples=4
   [ "$part" = no ] || samples=12
   script -qec "'$bin/07_earth_by_sampling' --width $width --height $height --samples $samples --out '$work/measured.png'" /dev/null \
     </dev/null >"$work/terminal"
-  # Each progress line begins with a carriage return. The last is overwritten by as many spaces, and the next text begins at the left.
-  # How soon the first comes, and how near to the end the last, depends on the machine: that counts for large pictures alone.
+  # Each progress line begins with a carriage return. The last is overwritten by as many spaces, and
+  # the next text begins at the left. How soon the first comes, and how near to the end the last,
+  # depends on the machine: that counts for large pictures alone.
   tr '\r' '\n' <"$work/terminal" | awk -v part="$part" '
     / % done/ {
       if ($1 < last) falls = 1
