@@ -10,7 +10,6 @@
 #include "support/shown_values.hpp"
 
 namespace texmap::extremes {
-namespace {
 
 /// Inputs for each claim; fewer where sanitizers or an unoptimized build make references slow.
 constexpr int inputs = TEXMAP_EXTREMES_INPUTS;
@@ -92,5 +91,4 @@ TEST_CASE("a NaN is worse than any number, and the first input that fails is kep
   CHECK(count.where == "first");
 }
 
-}  // namespace
 }  // namespace texmap::extremes

@@ -6,7 +6,6 @@
 #include "number/number.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE_TEMPLATE("a plain number is a pack of one lane, with the constants of its type", Real,
                    float, double, long double) {
@@ -63,5 +62,4 @@ TEST_CASE_TEMPLATE("the functions of a number keep its type and their exact poin
   static_assert(std::is_same_v<decltype(log1p(Real(2))), Real>);
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -5,7 +5,6 @@
 #include "support/mesh_rays.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE_TEMPLATE(
     "rays at edges and corners: none slips through, none is counted twice, in every number", Real,
@@ -148,5 +147,4 @@ TEST_CASE("the other triangles of a mesh cast shadows, its own does not") {
   CHECK_FALSE(first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}}).met);
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -5,7 +5,6 @@
 #include "scene/phong.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE("a surface that the light does not reach has no highlight, for any exponent") {
   const Vec3d up{0, 1, 0};
@@ -36,5 +35,4 @@ TEST_CASE_TEMPLATE(
   CHECK(highlight(HighlightFormula::lecture, odd, light, up, up) == Real(-1));
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -10,7 +10,6 @@
 #include "scene/sphere_choice.hpp"
 
 namespace texmap::test {
-namespace {
 
 constexpr SphereForm all_forms[] = {SphereForm::plain, SphereForm::robust, SphereForm::hybrid};
 const Sphere<> unit_sphere{{0, 0, 0}, 1};
@@ -142,5 +141,4 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -8,7 +8,6 @@
 #include "texture/light_texture.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE_TEMPLATE("stb_image's light is kept in bytes, of which 184 remain and 21 are black", T,
                    float, double, long double) {
@@ -32,5 +31,4 @@ TEST_CASE("NaN stays NaN in both curves") {
   CHECK(std::isnan(srgb_encode(nan)));
 }
 
-}  // namespace
 }  // namespace texmap::test

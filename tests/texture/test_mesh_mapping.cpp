@@ -5,7 +5,6 @@
 #include "texture/crate.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE_TEMPLATE("at a corner (u, v) is exactly the corner's", Real, float, double, long double) {
   Dice dice;
@@ -71,5 +70,4 @@ TEST_CASE("each side of the crate shows the texture upright and not mirrored") {
   CHECK(MeshMapping{}(MeshHit<double>{}).u == 0);
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -7,7 +7,6 @@
 #include "texture/solid_checkerboard.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE_TEMPLATE("noise is exactly 0 at the corners of its cubes, and at points that are none",
                    Real, float, double, long double) {
@@ -92,5 +91,4 @@ TEST_CASE("marble without a bend is planes of stone and vein; a paint in space a
   CHECK(InSpace<SolidCheckerboard>{{{1, 1, 1}, {0, 0, 0}, 1}}(hit).r == 0);
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -18,7 +18,6 @@
 #include "support/shown_values.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE("SSIM is that of other programs, in every run, and only where it is asked for") {
   const Image right_half = image_of(30, 16, [](int column, int) {
@@ -120,5 +119,4 @@ TEST_CASE("a failure shows what it compared") {
   CHECK(doctest::toString(std::vector<int>(12, 7)) == "[7, 7, 7, 7, 7, 7, 7, 7, 7, 7, and 2 more]");
 }
 
-}  // namespace
 }  // namespace texmap::test

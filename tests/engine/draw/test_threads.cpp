@@ -15,7 +15,6 @@
 #include "support/shown_values.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE("every row is worked on once, and then told once, for any number of rows and threads") {
   for (const int rows : {0, 1, 2, 7, 500}) {
@@ -85,5 +84,4 @@ TEST_CASE("the first exception of work or report reaches the caller, and the oth
   }
 }
 
-}  // namespace
 }  // namespace texmap::test

@@ -14,7 +14,6 @@
 #include "engine/files/text.hpp"
 
 namespace texmap::test {
-namespace {
 
 TEST_CASE("a text is what printf prints, however long") {
   CHECK(text("%d of %s, %.2f %%", 3, "four", 1.005) == "3 of four, 1.00 %");
@@ -139,5 +138,4 @@ TEST_CASE("series have dots, squares or triangles, and a label far from its poin
   CHECK(svg.find(line) != std::string::npos);
 }
 
-}  // namespace
 }  // namespace texmap::test
