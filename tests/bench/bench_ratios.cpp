@@ -5,7 +5,6 @@
 #include "engine/draw/progress.hpp"
 #include "engine/files/system.hpp"
 #include "engine/run/command_line.hpp"
-#include "engine/run/draw_lesson.hpp"
 
 using namespace texmap;
 using namespace texmap::bench;

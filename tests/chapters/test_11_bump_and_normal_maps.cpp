@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>

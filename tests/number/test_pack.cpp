@@ -2,7 +2,6 @@
 // behaves as a single number does.
 #include <doctest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

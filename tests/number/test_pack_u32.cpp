@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <type_traits>
 
 #include "number/kinds/pack_u32.hpp"
 #include "sampling/sampled_numbers.hpp"

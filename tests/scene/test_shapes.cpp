@@ -5,7 +5,6 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 

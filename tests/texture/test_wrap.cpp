@@ -4,8 +4,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 #include "number/dual.hpp"
 #include "number/kinds/pack.hpp"
 #include "published/uv.hpp"

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/draw/render.hpp"

@@ -1,7 +1,6 @@
 // The line that a chapter prints about each picture, and what it refuses to draw.
 #include <doctest.h>
 
-#include <cmath>
 #include <regex>
 #include <string>
 #include <vector>
