@@ -165,14 +165,11 @@ TEST_CASE("a mesh from a file is drawn in place of the crate, as large and on th
 TEST_CASE(
     "a file's picture is repeated unless the user chooses, and normals in corners are mixed") {
   const TemporaryFolder folder;
-  const auto file_of = [&](const char* name, const std::string& text) {
-    std::ofstream(folder / name) << text;
-    return folder / name;
-  };
   const std::string square =
       "v -1 0 0\nv 1 0 0\nv 1 2 0\nv -1 2 0\nvt 0 0\nvt 3 0\nvt 3 3\nvt 0 3\n";
   const auto square_of = [&](const char* name, const char* normals) {
-    return file_of(name, square + normals + "f 1/1/1 2/2/2 3/3/2 4/4/1\n");
+    std::ofstream(folder / name) << square << normals << "f 1/1/1 2/2/2 3/3/2 4/4/1\n";
+    return folder / name;
   };
   const std::string own = square_of("own.obj", "vn 0 0 2\nvn 0 0 -1\n");
   const std::string round = square_of("round.obj", "vn -1 0 1\nvn 1 0 1\n");

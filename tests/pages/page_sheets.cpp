@@ -44,13 +44,6 @@ struct Drawing {
   Drawing() { ready.build(); }
 };
 
-/// The names of the exhibits, in the order of the sheet.
-std::string names_of(const std::vector<chapter_14::Exhibit>& exhibits) {
-  std::string names;
-  for (const auto& exhibit : exhibits) names += ' ' + exhibit.name;
-  return names;
-}
-
 }  // namespace
 }  // namespace texmap::test
 
@@ -80,6 +73,7 @@ int main() {
 
   Drawing<chapter_14::Lesson> extremes;
   const auto exhibits = extremes.ready.lesson.exhibits();
-  print_sheet("14_numerical_extremes", draw_sheet(exhibits, extremes.session).picture,
-              names_of(exhibits));
+  std::string names;  // in the order of the sheet
+  for (const auto& exhibit : exhibits) names += ' ' + exhibit.name;
+  print_sheet("14_numerical_extremes", draw_sheet(exhibits, extremes.session).picture, names);
 }

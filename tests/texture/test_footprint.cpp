@@ -14,10 +14,6 @@
 namespace texmap::test {
 namespace {
 
-Uv<Dual<double>> moving(double u_by_x, double u_by_y, double v_by_x, double v_by_y) {
-  return {{0.5, u_by_x, u_by_y}, {0.5, v_by_x, v_by_y}};
-}
-
 /// How far a footprint is from having the parallelogram's area and its spread in each direction,
 /// in units of the spread. The parallelogram's sides are p and q.
 double misfit(const Footprint<double>& footprint, double pu, double pv, double qu, double qv) {
@@ -41,7 +37,8 @@ TEST_CASE("the rectangle has the parallelogram's area and its spread in every di
     const double size = std::exp(dice.between(-12, 12));
     const auto any = [&] { return size * dice.between(-1, 1) * (dice.once_in(8) ? 0.001 : 1); };
     const double pu = any(), pv = any(), qu = any(), qv = any();
-    worst = std::max(worst, misfit(footprint_of(moving(pu, qu, pv, qv), 1.0, 1.0), pu, pv, qu, qv));
+    const Uv<Dual<double>> moving{{0.5, pu, qu}, {0.5, pv, qv}};
+    worst = std::max(worst, misfit(footprint_of(moving, 1.0, 1.0), pu, pv, qu, qv));
   }
   CHECK(worst < 1e-14);
 }

@@ -31,10 +31,6 @@ std::string sum_of_pixels(const Image& image) {
   return texmap::test::sha256(bytes);
 }
 
-std::string error_of_loading(const std::string& path) {
-  return image_error_of([&] { static_cast<void>(load_image(path)); });
-}
-
 }  // namespace
 
 TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
@@ -61,7 +57,7 @@ TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
       if (pixels != "-") CHECK(sum_of_pixels(image) == pixels);
       ++loaded;
     } else {
-      const std::string said = error_of_loading(path);
+      const std::string said = image_error_of([&] { static_cast<void>(load_image(path)); });
       INFO("said: ", said);
       CHECK(said.starts_with("cannot load texture '" + path + "': " + words));
       CHECK(said.find('\n') == std::string::npos);

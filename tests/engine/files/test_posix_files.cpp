@@ -22,10 +22,6 @@ namespace fs = std::filesystem;
 using namespace texmap;
 using namespace texmap::test;
 
-std::string error_of_loading(const std::string& path) {
-  return image_error_of([&] { static_cast<void>(load_image(path)); });
-}
-
 std::string error_of_saving(const std::string& path) {
   return image_error_of([&] { save_png(noise(100, 100, 1), path); });
 }
@@ -54,7 +50,8 @@ TEST_CASE("what cannot be loaded or written is named in words, and at once") {
            {folder / "pipe", "it is a pipe, not a file"},
            {folder / "sparse.png", "the file has 10737418240 bytes, more than 67108864 (64 MiB)"},
            {"/dev/zero", "it is a device, not a file"}}) {
-    CHECK(error_of_loading(path) == "cannot load texture '" + path + "': " + why);
+    CHECK(image_error_of([&] { static_cast<void>(load_image(path)); }) ==
+          "cannot load texture '" + path + "': " + why);
   }
   for (const std::string& path : {folder / "loop", folder / "ring"})
     CHECK(error_of_checking(path) == "cannot write '" + path + "': " + loop);
