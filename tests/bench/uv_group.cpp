@@ -1,9 +1,7 @@
 // The group of (u, v).
-#include <cmath>
 #include <memory>
-#include <numbers>
-#include <random>
 
+#include "support/dice.hpp"
 #include "uv_job.hpp"
 
 namespace texmap::bench {
@@ -13,15 +11,12 @@ namespace {
 std::shared_ptr<const UvJob> job_of(int degree) {
   const auto job = std::make_shared<UvJob>(degree);
   auto& [floats, doubles] = job->columns;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> part(0, 1);
+  test::Dice dice;
   for (std::size_t row = 0; row < UvJob::rows; ++row) {
-    const double turn = 2 * std::numbers::pi * part(random);
-    const double height = 2 * part(random) - 1;
-    const double radius = std::sqrt(1 - height * height);
-    floats.x[row] = static_cast<float>(doubles.x[row] = radius * std::cos(turn));
-    floats.y[row] = static_cast<float>(doubles.y[row] = radius * std::sin(turn));
-    floats.z[row] = static_cast<float>(doubles.z[row] = height);
+    const Vec3d p = dice.direction<double>();
+    floats.x[row] = static_cast<float>(doubles.x[row] = p.x);
+    floats.y[row] = static_cast<float>(doubles.y[row] = p.y);
+    floats.z[row] = static_cast<float>(doubles.z[row] = p.z);
   }
   return job;
 }
