@@ -16,11 +16,7 @@ namespace texmap::test {
     state = state * 1664525u + 1013904223u;  // any generator would do
     return static_cast<std::uint8_t>(state >> 24);
   };
-  for (Rgb8& pixel : image.pixels) {
-    pixel.r = next();
-    pixel.g = next();
-    pixel.b = next();
-  }
+  for (Rgb8& pixel : image.pixels) pixel = {next(), next(), next()};
   return image;
 }
 
@@ -51,10 +47,8 @@ namespace texmap::test {
 [[nodiscard]] inline LightImage light_noise(int width, int height, std::uint64_t seed = 3) {
   Dice dice(seed);
   LightImage image(width, height);
-  for (Color<float>& texel : image.pixels) {
-    for (float Color<float>::*channel : {&Color<float>::r, &Color<float>::g, &Color<float>::b})
-      texel.*channel = static_cast<float>(dice.between(0, 1));
-  }
+  const auto any = [&] { return static_cast<float>(dice.between(0, 1)); };
+  for (Color<float>& texel : image.pixels) texel = {any(), any(), any()};
   return image;
 }
 

@@ -8,6 +8,7 @@
 #include "number/dual.hpp"
 #include "number/kinds/pack.hpp"
 #include "published/uv.hpp"
+#include "support/shown_values.hpp"
 #include "texture/conventions.hpp"
 
 namespace texmap::test {
@@ -49,9 +50,7 @@ TEST_CASE_TEMPLATE("the axes have their exact places in each convention, at any 
       {{0, 0, 0}, {0.5, 0.5}, {0.5, 0.5}, {0.25, 0.5}},
   };
   for (const Row& row : table) {
-    CAPTURE(row.p.x);
-    CAPTURE(row.p.y);
-    CAPTURE(row.p.z);
+    CAPTURE(row.p);
     const auto check = [&](Convention convention, const Place& place) {
       for (const double length : {1.0, 0.375, 1e-30, 1e30}) {
         const Uv<Real> uv = uv_of(convention, number_cast<Real>(row.p * length));

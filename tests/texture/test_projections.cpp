@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/dice.hpp"
+#include "support/shown_values.hpp"
 #include "texture/projection_facts.hpp"
 
 namespace texmap::test {
@@ -38,9 +39,7 @@ struct Named {
 TEST_CASE("the six axes have exact places in every layout") {
   const auto check = [](Projection projection, const std::vector<Named>& rows) {
     for (const Named& row : rows) {
-      CAPTURE(row.p.x);
-      CAPTURE(row.p.y);
-      CAPTURE(row.p.z);
+      CAPTURE(row.p);
       const Uv<double> uv = project(projection, row.p);
       CHECK(uv.u == row.u);
       CHECK(uv.v == doctest::Approx(row.v).epsilon(1e-15));
@@ -187,9 +186,7 @@ TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, beyond the 
     for (int i = 0; i < 5000; ++i) {
       const Vec3<Real> p{dice.anything<Real>(), dice.anything<Real>(), dice.anything<Real>()};
       const Uv<Real> uv = project(facts.projection, p);
-      CAPTURE(p.x);
-      CAPTURE(p.y);
-      CAPTURE(p.z);
+      CAPTURE(p);
       REQUIRE((uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1)));
     }
   }
