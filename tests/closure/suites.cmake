@@ -12,7 +12,7 @@ function(add_closure chapter headers lines)
       "-DSYMBOLS=stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
   endif()
   add_check(closure_${number} "closure;reader" "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${TEXMAP_CHAPTERS}/${chapter}/lesson.hpp"
-    "-DHEADERS=${headers}" "-DLINES=${lines}" "-DFORBIDDEN=${ARGN}" ${symbols} -P "${CMAKE_CURRENT_SOURCE_DIR}/closure/closure.cmake")
+    "-DHEADERS=${headers}" "-DLINES=${lines}" "-DFORBIDDEN=${ARGN}" ${symbols} -P "${tests}/closure/closure.cmake")
 endfunction()
 
 set(by_07 path.hpp lens.hpp sampling_options.hpp)
@@ -50,5 +50,5 @@ if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
     endif()
   endforeach()
   add_check(no_work_before_main "closure;reader" "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=${files}" -P
-    "${CMAKE_CURRENT_SOURCE_DIR}/closure/before_main.cmake")
+    "${tests}/closure/before_main.cmake")
 endif()

@@ -1,6 +1,6 @@
 # What makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/.
 
-file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" number/test_*.cpp engine/files/test_*.cpp
+file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${tests}" number/test_*.cpp engine/files/test_*.cpp
   engine/fast/test_*.cpp engine/draw/test_*.cpp engine/run/test_*.cpp engine/compare/test_interleaved.cpp
   engine/compare/test_trade.cpp)
 list(TRANSFORM suites REPLACE "[.]cpp$" "")
@@ -41,7 +41,7 @@ endif()
 foreach(instructions IN LISTS WIDE_PACKS)
   set(suite test_fetched_${instructions})
   add_executable(${suite} engine/fast/test_fetched.cpp)
-  target_include_directories(${suite} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_include_directories(${suite} PRIVATE "${tests}")
   target_link_libraries(${suite} PRIVATE project_options draw)
   target_compile_options(${suite} PRIVATE ${wide_${instructions}})
   set_target_properties(${suite} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")

@@ -2,7 +2,7 @@
 
 if(SH AND NOT TEXMAP_INSTRUMENT)
   # What the program says of a mistake that no picture shows, and of an answer in another unit.
-  write_attempt(almost_01_1 01.1 "#include \"${CMAKE_CURRENT_SOURCE_DIR}/exercises/almost_01_1.hpp\"\n" "std::function(&::distance_to_bowl)" "")
+  write_attempt(almost_01_1 01.1 "#include \"${tests}/exercises/almost_01_1.hpp\"\n" "std::function(&::distance_to_bowl)" "")
   add_executable(almost_01_1 "${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp")
   target_link_libraries(almost_01_1 PRIVATE check_main exercises_01 project_options)
   set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp" PROPERTIES COMPILE_OPTIONS "-Wno-missing-declarations")
@@ -15,11 +15,11 @@ if(SH AND NOT TEXMAP_INSTRUMENT)
     WITH PASS_REGULAR_EXPRESSION "66[.]7857 too small \\(98[.]2 %\\)[.]\n.*: yours is in radians")
   add_check(check_of_fraction exercises check_03 --question 03.b --answer 0.006
     WITH PASS_REGULAR_EXPRESSION "yours is a fraction: multiply by 100")
-  add_check(check_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
+  add_check(check_script "exercises;posix" "${SH}" "${tests}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
   if(TAKES_GNU_OPTIONS)
-    add_check(compiler_words "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_compiler_words.sh"
+    add_check(compiler_words "exercises;posix" "${SH}" "${tests}/exercises/test_compiler_words.sh"
       "${CMAKE_SOURCE_DIR}" "${CMAKE_CXX_COMPILER}")
   endif()
-  add_check(watch_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
-  add_check(course_builds "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_builds.sh" "${CMAKE_SOURCE_DIR}")
+  add_check(watch_script "exercises;posix" "${SH}" "${tests}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
+  add_check(course_builds "exercises;posix" "${SH}" "${tests}/exercises/test_builds.sh" "${CMAKE_SOURCE_DIR}")
 endif()

@@ -14,7 +14,7 @@ foreach(family arithmetic derivatives functions kernels maps rotation secondary_
   target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
 endforeach()
 target_link_libraries(claims PUBLIC texture PRIVATE fast project_options)
-target_include_directories(claims PUBLIC extremes support "${CMAKE_CURRENT_SOURCE_DIR}")
+target_include_directories(claims PUBLIC extremes support "${tests}")
 target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
 set_target_properties(claims PROPERTIES WIDER_REFERENCES ON)
 if(TAKES_GNU_OPTIONS)

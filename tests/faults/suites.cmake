@@ -2,7 +2,7 @@
 
 if(UNIX AND PYTHON3)
   # Alone on the machine: it measures time, and starts many programs at once.
-  add_check(faults faults "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py" "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_CURRENT_SOURCE_DIR}/corpus"
+  add_check(faults faults "${PYTHON3}" "${tests}/faults/faults.py" "$<TARGET_FILE_DIR:01_plain_spheres>" "${tests}/corpus"
     WITH RUN_SERIAL ON TIMEOUT 240)
   if(TEXMAP_INSTRUMENT MATCHES "fsanitize")
     set_tests_properties(faults PROPERTIES ENVIRONMENT TEXMAP_SANITIZED=1 TIMEOUT 1200)

@@ -8,7 +8,7 @@ if(PYTHON3)
   set(change_page "${CMAKE_SOURCE_DIR}/docs/how_to_change_things.md")
   list(TRANSFORM changes REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/changes/\\1.hpp" OUTPUT_VARIABLE change_headers)
   add_custom_command(OUTPUT ${change_headers}
-    COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/changed.py" "${change_page}" "${TEXMAP_CHAPTERS}"
+    COMMAND "${PYTHON3}" "${tests}/lessons/changed.py" "${change_page}" "${TEXMAP_CHAPTERS}"
       "${CMAKE_CURRENT_BINARY_DIR}/changes" ${changes}
     DEPENDS "${change_page}" lessons/changed.py "${TEXMAP_CHAPTERS}/01_plain_spheres/lesson.hpp"
       "${TEXMAP_CHAPTERS}/02_checkerboard_uv/lesson.hpp" "${TEXMAP_CHAPTERS}/03_image_texture/lesson.hpp"
@@ -70,7 +70,7 @@ function(add_mistake number mistake message)
     add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20
       -fsyntax-only -Wfatal-errors -Werror=switch -Werror=return-type -D${build}
       "-I${CMAKE_CURRENT_BINARY_DIR}/${mistake}" "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}"
-      "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp"
+      "${tests}/lessons/mistakes.cpp"
       WITH PASS_REGULAR_EXPRESSION "${message}")
   endforeach()
 endfunction()

@@ -3,7 +3,7 @@
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
 add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)  # the book shows them in pieces
 foreach(program page_figures page_sheets)
-  target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
+  target_include_directories(${program} PRIVATE "${tests}" "${tests}/support" "${TEXMAP_CHAPTERS}")
   target_link_libraries(${program} PRIVATE project_options run chapters_code 13_speed_for_accuracy_code compare)
   set_target_properties(${program} PROPERTIES WIDER_REFERENCES ON)
   if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
@@ -25,7 +25,7 @@ if(SH AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
   set(earth_page "${CMAKE_SOURCE_DIR}/chapters/03_image_texture/README.md")
   set(with_earth "${CMAKE_CURRENT_BINARY_DIR}/00_with_earth.cpp")
   add_custom_command(OUTPUT "${with_earth}"
-    COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/with_earth.py" "${earth_page}" "${one_file}" "${with_earth}"
+    COMMAND "${PYTHON3}" "${tests}/pages/with_earth.py" "${earth_page}" "${one_file}" "${with_earth}"
     DEPENDS pages/with_earth.py "${earth_page}" "${one_file}" VERBATIM)
   add_executable(00_with_earth "${with_earth}")
   target_link_libraries(00_with_earth PRIVATE stb_image stb_image_write)
@@ -37,7 +37,7 @@ endif()
 
 # docs/architecture.md tells how a program of one's own uses the textbook.
 if(SH AND NOT TEXMAP_INSTRUMENT)
-  add_check(outside_program pages "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/outside.sh" "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/outside")
+  add_check(outside_program pages "${SH}" "${tests}/pages/outside.sh" "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/outside")
 endif()
 
 if(NOT TEXMAP_INSTRUMENT)
@@ -52,13 +52,13 @@ if(nlohmann_json_INCLUDE_DIR)
 endif()
 add_suite(playground/test_microscope ON run chapters_code test_support LABELS pages)
 if(PYTHON3)
-  add_check(reference_pages pages "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/reference_pages.py" "${CMAKE_SOURCE_DIR}")
+  add_check(reference_pages pages "${PYTHON3}" "${tests}/pages/reference_pages.py" "${CMAKE_SOURCE_DIR}")
 endif()
 # In a browser: the live pictures, as they are in docs/live/, and the book. Where there is no
 # browser the tests are skipped.
 if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   function(add_browser_check name label script)
-    add_check(${name} ${label} "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/${script}.py" ${ARGN}
+    add_check(${name} ${label} "${PYTHON3}" "${tests}/${script}.py" ${ARGN}
       WITH SKIP_RETURN_CODE 77 TIMEOUT 1500)
   endfunction()
   set(root "${CMAKE_SOURCE_DIR}")
@@ -78,6 +78,6 @@ if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
 endif()
 if(SH AND NOT TEXMAP_INSTRUMENT)
   set_target_properties(mark_crops PROPERTIES EXCLUDE_FROM_ALL OFF)
-  add_check(page_pictures pages "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/pictures.sh" "${CMAKE_SOURCE_DIR}"
+  add_check(page_pictures pages "${SH}" "${tests}/pages/pictures.sh" "${CMAKE_SOURCE_DIR}"
     "$<TARGET_FILE_DIR:01_plain_spheres>")
 endif()
