@@ -193,9 +193,8 @@ TEST_CASE("the program refuses a sky of an odd width, and says which light auto 
   put(folder / "sky.hdr", {sky.begin(), sky.end()});
   const Outcome odd = run(program + "--sky \"" + (folder / "sky.hdr") + "\"");
   CHECK(odd.status == 1);
-  CHECK(odd.err.find("it is 3 pixels wide, and the width of a sky must be even") !=
-        std::string::npos);
-  CHECK(run(program).out.find("--light mis\n") != std::string::npos);
-  CHECK(run(program + "--light cosine").out.find("--light") == std::string::npos);
+  CHECK(has(odd.err, "it is 3 pixels wide, and the width of a sky must be even"));
+  CHECK(has(run(program).out, "--light mis\n"));
+  CHECK_FALSE(has(run(program + "--light cosine").out, "--light"));
   CHECK(run(program + "--budget levels=1").status == 2);
 }
