@@ -43,16 +43,4 @@ void check_each_lane(const Function& function, const Inputs&... inputs) {
   }
 }
 
-/// Another number in each lane, from `low` to `high`.
-template <class Many>
-[[nodiscard]] Many any_pack(Dice& dice, double low, double high) {
-  return from_lanes<Many>(
-      [&](std::size_t) { return static_cast<Scalar<Many>>(dice.between(low, high)); });
-}
-template <class Many>
-[[nodiscard]] Vec3<Many> any_vectors(Dice& dice, double low, double high) {
-  return {any_pack<Many>(dice, low, high), any_pack<Many>(dice, low, high),
-          any_pack<Many>(dice, low, high)};
-}
-
 }  // namespace texmap::test

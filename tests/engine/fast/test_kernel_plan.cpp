@@ -32,6 +32,9 @@ TEST_CASE_TEMPLATE(
   using T = Scalar<Real>;
   const double slack = 2 * static_cast<double>(std::numeric_limits<T>::epsilon());
   Dice dice;
+  const auto any = [&] {
+    return from_lanes<Real>([&](std::size_t) { return static_cast<T>(dice.between(-1, 1)); });
+  };
   for (const Convention convention : {Convention::daily, Convention::rtiow, Convention::lecture}) {
     for (const double angle : {0.0, 37.0, 90.0, -200.5}) {
       const Rotated<ConventionMapping> exact{rotation_y(angle), {convention}};
@@ -51,7 +54,7 @@ TEST_CASE_TEMPLATE(
         if (degree == 0) REQUIRE(alike(lane_of(is, 0), lane_of(should, 0)));
       };
       for (int i = 0; i < 200; ++i) {
-        const Vec3<Real> p = normalize(any_vectors<Real>(dice, -1, 1));
+        const Vec3<Real> p = normalize(Vec3<Real>{any(), any(), any()});
         check(0, p);
         for (const int degree : degrees) check(degree, p);
       }
