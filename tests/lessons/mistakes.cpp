@@ -162,13 +162,7 @@ struct Lesson : LessonHooks, Base {
   }
 };
 #elif MISTAKE == 22
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "a filter that has no case"};
-  template <class Real>
-  Color<Real> operator()(const Ray<Real>& ray) const {
-    return FilteredTexture{}(Uv<Real>{ray.direction.x, ray.direction.y});
-  }
-};
+using Lesson = Shows<Mapped<RtiowMapping, FilteredTexture>>;  // a filter has no case
 #elif MISTAKE == 23
 struct Lesson : LessonHooks {
   static constexpr About about{.idea = "a color that is not returned"};
