@@ -30,10 +30,10 @@ for package in stb doctest xsimd boost; do
   [ ! -d "/usr/include/$package" ] || ln -sfn "/usr/include/$package" "$headers/include/$package"
 done
 
-# configure NAME PROCESSOR COMPILER ROOT EMULATOR: for another machine.
+# configure NAME PROCESSOR COMPILER ROOT: for another machine, whose programs $run runs.
 configure() {
-  name=$1 processor=$2 compiler=$3 root=$4 emulator=$5
-  shift 5
+  name=$1 processor=$2 compiler=$3 root=$4 emulator=$(echo "$run" | tr ' ' ';')
+  shift 4
   cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_SYSTEM_NAME="$name" -D CMAKE_SYSTEM_PROCESSOR="$processor" \
     -D CMAKE_CXX_COMPILER="$compiler" -D CMAKE_FIND_ROOT_PATH="$root;$headers" -D CMAKE_CROSSCOMPILING_EMULATOR="$emulator" \
     -D CMAKE_FIND_ROOT_PATH_MODE_PROGRAM=NEVER -D CMAKE_FIND_ROOT_PATH_MODE_INCLUDE=ONLY -D CMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY "$@"
@@ -61,7 +61,7 @@ case $system in
     timeout 120 wineboot -i >/dev/null 2>&1 </dev/null || true
     run=wine
     ending=.exe
-    configure Windows x86_64 x86_64-w64-mingw32-g++-posix /usr/x86_64-w64-mingw32 wine "$@"
+    configure Windows x86_64 x86_64-w64-mingw32-g++-posix /usr/x86_64-w64-mingw32 "$@"
     ;;
   arm64)
     need aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
@@ -70,7 +70,7 @@ case $system in
     suites="$numbers test_image_texture test_conventions test_checkerboard test_bilinear test_sphere
       test_edge_function test_directions test_double_pair test_dual"
     run="qemu-aarch64 -L /usr/aarch64-linux-gnu"
-    configure Linux aarch64 aarch64-linux-gnu-g++ /usr/aarch64-linux-gnu "qemu-aarch64;-L;/usr/aarch64-linux-gnu" "$o1" "$@"
+    configure Linux aarch64 aarch64-linux-gnu-g++ /usr/aarch64-linux-gnu "$o1" "$@"
     ;;
   armhf)
     need arm-linux-gnueabihf-g++ g++-arm-linux-gnueabihf
@@ -78,7 +78,7 @@ case $system in
     chapters="01 14"
     suites="test_number test_pack test_double_pair test_light_tables test_film"
     run="qemu-arm -L /usr/arm-linux-gnueabihf"
-    configure Linux arm arm-linux-gnueabihf-g++ /usr/arm-linux-gnueabihf "qemu-arm;-L;/usr/arm-linux-gnueabihf" "$o1" "$@"
+    configure Linux arm arm-linux-gnueabihf-g++ /usr/arm-linux-gnueabihf "$o1" "$@"
     ;;
   libcxx)
     need clang++ clang
