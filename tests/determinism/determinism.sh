@@ -1,7 +1,8 @@
 #!/bin/sh
-# Every build draws the same picture of a chapter in a number: whatever compiler, optimisation, machine code, number of threads and C library.
-# usage: determinism.sh [BUILD...]   compares the programs in these build folders; without them, those in build/release, build/clang and
-#                                    build/no-xsimd that are there, and chapter 06 built here with -O0 -march=native
+# Every build draws the same picture of a chapter in a number: whatever compiler, optimisation,
+# machine code, number of threads and C library.
+# usage: determinism.sh [BUILD...]   compares the programs in these build folders; without them, in
+#   build/release, build/clang and build/no-xsimd, and chapter 06 built here with -O0 -march=native
 # exit status: 0 one picture everywhere; 1 not so
 set -eu
 tree=$(cd "$(dirname "$0")/../.." && pwd)

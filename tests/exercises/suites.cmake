@@ -16,7 +16,7 @@ if(NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and convert NaN
     configure_file(exercises/solutions.hpp.in solutions/${number}.hpp @ONLY)
     add_suite(exercises/test_exercises_${number} ON exercises_${number} compare LABELS chapter-${number} exercises)
     target_include_directories(test_exercises_${number} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
-    if(TAKES_GNU_OPTIONS)  # an exercise's function is declared nowhere else, its start does not use all it gets, and students mix int and double
+    if(TAKES_GNU_OPTIONS)  # students' functions are declared nowhere else, and mix int and double
       set_source_files_properties(exercises/test_exercises_${number}.cpp PROPERTIES
         COMPILE_OPTIONS "-Wno-missing-declarations;-Wno-unused-parameter;-Wno-conversion;-Wno-sign-conversion")
     endif()

@@ -1,8 +1,9 @@
 #!/bin/sh
-# The script behind ./course check, in a small copy of the course. A stand-in builds "programs" that do what a word in the student's file
-# says, so this takes a second or two; the programs themselves have their tests in C++.
-# usage: test_check.sh ROOT [--shipped]     --shipped: only, are the files in chapters/ what students should find? For CI: a student's
-#                                           own are not.
+# The script behind ./course check, in a small copy of the course. A stand-in builds "programs" that
+# do what a word in the student's file says, so this takes a second or two; the programs themselves
+# have their tests in C++.
+# usage: test_check.sh ROOT [--shipped]   --shipped: only, are the files in chapters/ what students
+#                                         should find? For CI: a student's own are not.
 set -eu
 root=$1
 script=common/tools/check/check.sh

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The script behind ./course watch, in a small folder: a stand-in "builds", and a stand-in for the chapter's program copies the lesson to the
-# picture. So this takes seconds; it waits for what the page is told, at most 20 s for each save.
+# The script behind ./course watch, in a small folder: a stand-in "builds", and one for the
+# chapter's program copies the lesson to the picture. So this takes seconds; it waits for what the
+# page is told, at most 20 s for each save.
 # usage: test_watch.sh ROOT
 set -eu
 root=$1

@@ -1,5 +1,5 @@
-# The fuzz targets. Where everything is compiled for libFuzzer (fuzz/fuzz.sh) each is a program that searches; in other builds
-# replay_NAME runs its seeds and former finds once. Included by tests/CMakeLists.txt.
+# The fuzz targets. Where everything is compiled for libFuzzer (fuzz/fuzz.sh) each is a program that
+# searches; in other builds replay_NAME runs its seeds and former finds once.
 
 # add_fuzz_target(NAME [ON library ...] SEEDS folder ...): fuzz/NAME.cpp.
 function(add_fuzz_target name)

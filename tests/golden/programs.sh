@@ -1,7 +1,7 @@
 #!/bin/sh
 # The programs, as fast as the compiler makes them, draw the golden pictures to the last bit.
-# usage: programs.sh BIN [CHAPTER...]         BIN holds the chapters' programs and compare; without chapters, all that have a picture
-#        programs.sh --collect BIN            writes the golden pictures that have changed. Look at them before you commit them
+# usage: programs.sh BIN [CHAPTER...]   BIN: the programs, compare; by default all with a picture
+#        programs.sh --collect BIN      writes those that have changed. Look before you commit them
 set -eu
 mode=exact
 case ${1:-} in --*) mode=${1#--} && shift ;; esac

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A student's copy of the course, made and used: ./course export, then check, test, the book, and a chapter of one's own in it.
+# A student's copy, made and used: ./course export, check, test, the book, a chapter of one's own.
 # usage: test_export.sh ROOT WORK      WORK: a folder for the copy, made anew
 set -eu
 root=$1

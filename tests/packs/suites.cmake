@@ -1,8 +1,8 @@
-# Packs of every width, forced one after the other. Included by tests/CMakeLists.txt.
+# Packs of every width, forced one after the other.
 
 if(UNIX AND SH AND TARGET xsimd AND NOT TEXMAP_INSTRUMENT)  # instrumented packs have one width
   get_property(chapters GLOBAL PROPERTY CHAPTERS)
-  list(FILTER chapters EXCLUDE REGEX "^(00|13|14)_")  # 00 and 14 are not drawn with packs; 13's sheet is the same for all packs by design
+  list(FILTER chapters EXCLUDE REGEX "^(00|13|14)_")  # 00, 14: no packs; 13: the same by design
   add_check(packs laws "${SH}" "${tests}/packs/packs.sh" "$<TARGET_FILE_DIR:01_plain_spheres>" ${chapters})
 endif()
 

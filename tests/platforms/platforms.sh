@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the course for another system on a Debian machine, and tries it: pictures against the golden ones, and suites of tests.
+# Builds the course for another system, on Debian, and tries it: golden pictures, suites of tests.
 # usage: platforms.sh SYSTEM [CMAKE_OPTION...]   needs build/release; makes build/platforms/SYSTEM
 #        SYSTEM: windows (mingw, wine) | arm64 | armhf (qemu) | libcxx (clang++, macOS's library)
 # exit status: 0 all is well; 1 something is not; 77 a package is missing
@@ -49,7 +49,7 @@ case $system in
     need x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
     need wine wine
     chapters="01 02 03 04 05 06 07 08 12 14"
-    # None that starts programs: wine's cmd now and then starts none. The golden pictures and the faults below start them without it.
+    # None that starts programs: wine's cmd now and then starts none. What is below needs no cmd.
     suites="$numbers $images test_files test_windows_files test_command_line"
     export WINEPREFIX="$tree/build/platforms/wine" WINEDEBUG=-all
     # One server for all programs. If each starts its own, one in 250 meets the end of the last one

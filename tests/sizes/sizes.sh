@@ -1,5 +1,5 @@
 #!/bin/sh
-# The largest pictures, textures and numbers of samples: memory as docs/architecture.md states it, Ctrl-C at any moment, progress.
+# The largest pictures and textures: memory as docs/architecture.md states it, Ctrl-C, progress.
 # usage: sizes.sh [--part] BIN   BIN: the programs' folder. --part: smaller, more patient, for CI
 # exit status: 0 all is well; 1 something is not; 77 no way to tell (no /proc, no GNU env or date)
 # Ctrl-C should end a program within 0.2 s. More than 0.5 s is a failure: others may use the

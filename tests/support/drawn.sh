@@ -1,6 +1,6 @@
 # shellcheck shell=sh disable=SC2154  # the caller sets the two variables
-# Draws with the chapters' programs and compares pictures. To be sourced; the caller sets $bin, the folder of the programs and
-# of compare, and $work, a folder for what is drawn.
+# Draws with the chapters' programs and compares pictures. To be sourced; the caller sets $bin, the
+# folder of the programs and of compare, and $work, a folder for what is drawn.
 
 # draw FILE PROGRAM [OPTION...]: the program draws into the file; what it says goes to $work/log.
 draw() {
