@@ -48,12 +48,11 @@ TEST_CASE("--trade measures what the program offers and the user did not choose"
   const std::string chosen =
       measured("06_phong_texture_blend", "--number float --samples 3 --trade", folder / "a.png")
           .out;
-  CHECK(chosen.find("double") == std::string::npos);
-  CHECK(chosen.find("./course run 06 --width 24 --height 18 --number float") != std::string::npos);
+  CHECK_FALSE(has(chosen, "double"));
+  CHECK(has(chosen, "./course run 06 --width 24 --height 18 --number float"));
   CHECK(row_of(chosen, "as typed").at(2) == "0");
   CHECK(row_of(chosen, "--samples 3").size() == 5);
-  CHECK(measured("01_plain_spheres", "--trade", folder / "b.png").out.find("No --budget: ") !=
-        std::string::npos);
+  CHECK(has(measured("01_plain_spheres", "--trade", folder / "b.png").out, "No --budget: "));
   CHECK(measured("07_earth_by_sampling", "--trade --samples 1 --budget=levels=4", folder / "b.png")
             .err.starts_with("error: --budget is for a lone object"));
   CHECK(measured("07_earth_by_sampling", "--trade --time-limit 1", folder / "b.png")
@@ -70,7 +69,7 @@ TEST_CASE("--trade measures what the program offers and the user did not choose"
   const std::string shown =
       measured("01_plain_spheres", "--trade --show normal", folder / "b.png").out;
   CHECK(row_of(shown, "--number extended").at(2) == "0");
-  CHECK(shown.find("Samples") == std::string::npos);
+  CHECK_FALSE(has(shown, "Samples"));
 }
 
 TEST_CASE("in double a scene may have any size, and lie a million radii away") {
