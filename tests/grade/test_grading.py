@@ -32,11 +32,10 @@ GRADE = TESTS.parent / 'common/tools/grade'
 sys.path.insert(0, str(GRADE))
 import class_pages  # noqa: E402
 import pictures  # noqa: E402
-# noqa: E402
-from results import (NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean,
-                     csv_cell, first_word,
-                     gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv,
-                     shown_name, with_word)
+from results import (  # noqa: E402
+    NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean, csv_cell,
+    first_word, gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv, shown_name,
+    with_word)
 from submissions import find_submissions, unpacked  # noqa: E402
 
 GLOBE, SHEET = Item('03_image_texture', '03', 'golden'), Item('04_uv_conventions', '04', 'golden')
