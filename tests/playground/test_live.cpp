@@ -74,6 +74,14 @@ TEST_CASE("wrong words are refused, and the picture before stays") {
   test::expect_same_picture(whole(lesson), before);
 }
 
+TEST_CASE("a picture that is wider than the page keeps its shape, and at least one row") {
+  Live<chapter_02::Lesson> lesson;
+  lesson.set({"--width", "1200", "--height", "500"}, widest);
+  CHECK(lesson.size().height == 50);
+  lesson.set({"--width", "1200", "--height", "2"}, widest);
+  CHECK(lesson.size().height == 1);
+}
+
 TEST_CASE("a page says what was done to a reader's file, as long as it is in the picture") {
   const std::string turned = TEXMAP_TESTS_DIR "/corpus/jpg_exif_orient6.jpg";
   Live<chapter_03::Lesson> lesson;

@@ -90,6 +90,18 @@ TEST_CASE("no label of a plot covers another, while there is room") {
   }
 }
 
+TEST_CASE("no label of a plot lies on a line") {
+  Plot plot{.title = "", .x_title = "", .y_title = ""};
+  plot.series.push_back({"", 4, {{1, 10, ""}, {100, 10, ""}}, true});
+  plot.series.push_back({"", 0, {{1, 1, ""}, {10, 10, "on the line"}, {100, 100, ""}}});
+  const std::string svg = svg_of(plot);
+  std::smatch line, label;
+  REQUIRE(std::regex_search(svg, line, std::regex("fill=\"none\" d=\"M[0-9.]+ ([0-9.]+)L")));
+  REQUIRE(std::regex_search(svg, label, std::regex("y=\"([0-9.]+)\">on the line<")));
+  const double middle = std::stod(label[1]) - 3.5;  // letters are 13 high, 3 of them below
+  CHECK(std::abs(middle - std::stod(line[1])) >= 7.4);
+}
+
 TEST_CASE("marks are written short, and lie on whole decades where there are many") {
   const auto marks = [](double least, double most) {
     Plot plot{.title = "", .x_title = "", .y_title = ""};
