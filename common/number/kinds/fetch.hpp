@@ -48,33 +48,6 @@ template <class Real, int step>
   }
 }
 
-/// The entries of a table at many places, each below 2^31.
-template <class Real>
-[[nodiscard]] inline Real fetch(const Scalar<Real>* table, const UInt<Real>& places) {
-  if constexpr (requires(Real x) { x.first; }) {
-    using Half = decltype(Real::first);
-    return {fetch<Half>(table, places.first), fetch<Half>(table, places.second)};
-  } else if constexpr (std::is_same_v<Scalar<Real>, float>) {
-    if constexpr (lanes<Real> == 4) {
-      return typename Real::Batch(_mm_i32gather_ps(table, std::bit_cast<__m128i>(places), 4));
-    } else if constexpr (lanes<Real> == 8) {
-      return typename Real::Batch(_mm256_i32gather_ps(table, std::bit_cast<__m256i>(places), 4));
-    } else {
-#if defined(__AVX512F__)
-      return typename Real::Batch(_mm512_i32gather_ps(std::bit_cast<__m512i>(places), table, 4));
-#endif
-    }
-  } else {
-    if constexpr (lanes<Real> == 4) {
-      return typename Real::Batch(_mm256_i32gather_pd(table, std::bit_cast<__m128i>(places), 8));
-    } else {
-#if defined(__AVX512F__)
-      return typename Real::Batch(_mm512_i32gather_pd(std::bit_cast<__m256i>(places), table, 8));
-#endif
-    }
-  }
-}
-
 /// The entries of a table of 256 at the lowest 8 bits of each place. Where two registers hold 32
 /// floats, eight permutations of them and a choice by each higher bit are faster than a gather.
 template <class Real>
@@ -97,7 +70,16 @@ template <class Real>
     return typename Real::Batch(entries[0]);
 #endif
   } else {
-    return fetch<Real>(table, places & 255U);
+    const UInt<Real> entry = places & 255U;
+    if constexpr (std::is_same_v<Scalar<Real>, float>) {
+      return typename Real::Batch(_mm256_i32gather_ps(table, std::bit_cast<__m256i>(entry), 4));
+    } else if constexpr (lanes<Real> == 4) {
+      return typename Real::Batch(_mm256_i32gather_pd(table, std::bit_cast<__m128i>(entry), 8));
+    } else {
+#if defined(__AVX512F__)
+      return typename Real::Batch(_mm512_i32gather_pd(std::bit_cast<__m256i>(entry), table, 8));
+#endif
+    }
   }
 }
 
