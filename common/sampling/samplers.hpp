@@ -307,7 +307,6 @@ class Sampler {
         stratified_(samples_, seed_),
         multi_jitter_(samples_, seed_) {}
 
-  [[nodiscard]] SamplerKind kind() const { return kind_; }
   [[nodiscard]] int samples() const { return static_cast<int>(samples_); }
 
   /// Calls `work` with the pattern of this sampler's kind; all patterns must return the same type.

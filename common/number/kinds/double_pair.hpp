@@ -83,19 +83,12 @@ class std::numeric_limits<texmap::DoublePair> {
   using Pair = texmap::DoublePair;
 
  public:
-  static constexpr bool is_specialized = true;
-  static constexpr bool is_signed = true;
-  static constexpr bool has_infinity = true;
-  static constexpr bool has_quiet_NaN = true;
   static constexpr int digits = 102;  ///< that every operation gets right; numbers may have more
-  static constexpr int digits10 = 30;
-  static constexpr int radix = 2;
   static constexpr int min_exponent = Double::min_exponent;
   static constexpr int max_exponent = Double::max_exponent;
   static constexpr Pair epsilon() { return {0x1p-101, 0}; }
   static constexpr Pair min() { return {Double::min(), 0}; }
   static constexpr Pair max() { return {Double::max(), Double::max() * 0x1p-54}; }
-  static constexpr Pair lowest() { return {-Double::max(), -Double::max() * 0x1p-54}; }
   static constexpr Pair infinity() { return {Double::infinity(), 0}; }
   static constexpr Pair quiet_NaN() { return {Double::quiet_NaN(), 0}; }
 };
