@@ -9,27 +9,20 @@ namespace texmap::published {
 /// The width of the mortar on each side of a brick, in bricks.
 inline constexpr double brick_mortar = 0.05;
 
-/// True on the mortar between 12 x 6 bricks, each second row moved by half a brick: on
-/// 1 - 0.9^2 = 19 % of the square.
-[[nodiscard]] inline bool is_brick_mortar(const Uv<double>& uv) {
+/// Its normal relative to tangent, bitangent and normal. There are 12 x 6 bricks, each second row
+/// moved by half a brick. On the mortar between them, 1 - 0.9^2 = 19 % of the square, it is
+/// (0, 0, -1), which points into the globe; on bricks (a, a, 1) made a unit vector,
+/// a = sin(20 x) cos(20 y) / 10.
+[[nodiscard]] inline Vec3d brick_normal(const Uv<double>& uv) {
   const double row = uv.v * 6;
   const bool odd = std::fmod(std::floor(row), 2) == 1;
   const double column = uv.u * 12 + (odd ? 0.5 : 0);
   const double across = column - std::floor(column);
   const double up = row - std::floor(row);
-  return across < brick_mortar || across > 1 - brick_mortar || up < brick_mortar ||
-         up > 1 - brick_mortar;
-}
-
-/// Its normal relative to tangent, bitangent and normal: on the mortar (0, 0, -1), which points
-/// into the globe; on bricks (a, a, 1) made a unit vector, a = sin(20 x) cos(20 y) / 10.
-[[nodiscard]] inline Vec3d brick_normal(const Uv<double>& uv) {
-  if (is_brick_mortar(uv)) return {0, 0, -1};
-  const double row = uv.v * 6;
-  const bool odd = std::fmod(std::floor(row), 2) == 1;
-  const double column = uv.u * 12 + (odd ? 0.5 : 0);
-  const double lean =
-      sin((column - std::floor(column)) * 20) * cos((row - std::floor(row)) * 20) * 0.1;
+  if (across < brick_mortar || across > 1 - brick_mortar || up < brick_mortar ||
+      up > 1 - brick_mortar)
+    return {0, 0, -1};
+  const double lean = sin(across * 20) * cos(up * 20) * 0.1;
   return normalize(Vec3d{lean, lean, 1});
 }
 
