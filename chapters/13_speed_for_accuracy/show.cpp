@@ -177,11 +177,8 @@ void TradeOptions::declare(Offer& offer) {
   CommandLine& line = offer.line;
   line.text("--budget", "BUDGET", budget,
             "also recommend a way for this allowed error: exact, texels=0.001 or levels=2");
-  line.choice<Instructions>("--instructions", widest,
-                            {{"baseline", Instructions::baseline},
-                             {"avx2", Instructions::avx2},
-                             {"avx512", Instructions::avx512}},
-                            "the widest vector instructions that packs may use");
+  line.choice("--instructions", widest, "baseline|avx2|avx512",
+              "the widest vector instructions that packs may use");
   line.whole("--rounds", rounds, 1, 10000,
              "how often to time each variant; the shortest time counts");
   line.whole("--seconds", seconds, 1, 1000000,

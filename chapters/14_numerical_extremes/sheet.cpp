@@ -96,11 +96,8 @@ void ExhibitOptions::declare(Offer& offer) {
                          {"seeds", Formulas::published}},
                         "with --exhibit: the formulas of the source documents, or the course's "
                         "own; seeds is an old word for published");
-  line.choice<NumberKind>("--number", number,
-                          {{"float", NumberKind::float_},
-                           {"double", NumberKind::double_},
-                           {"extended", NumberKind::extended}},
-                          "with --exhibit: the number type to calculate with");
+  line.choice("--number", number, "float|double|extended",
+              "with --exhibit: the number type to calculate with");
   line.whole("--samples", samples, 1, 65536, "with --exhibit: rays per pixel");
 }
 
