@@ -28,23 +28,16 @@ std::string counted(long count, const char* what) {
 /// by panel.
 struct Sheet {
   const Globe& globe;
-  int threads, scale, line, gap, panel_width, panel_height;
-  View<> view;  ///< of a panel
-  SheetImage image;
+  int width, height, threads;
   Tick tick;
+  int scale = std::max(1, width / 1640);
+  int line = 11 * scale;
+  int gap = std::max(1, width / 120);
+  int panel_width = std::max(1, width / 4 - gap);
+  int panel_height = std::max(1, (height - 2 * line) / 4 - 3 * line - gap);
+  View<> view = globe.view(panel_width, panel_height);  ///< of a panel
+  SheetImage image{width, height, {255, 255, 255}};
   int panels = 0;
-
-  Sheet(const Globe& drawn, int width, int height, int with_threads, Tick after_each)
-      : globe(drawn),
-        threads(with_threads),
-        scale(std::max(1, width / 1640)),
-        line(11 * scale),
-        gap(std::max(1, width / 120)),
-        panel_width(std::max(1, width / 4 - gap)),
-        panel_height(std::max(1, (height - 2 * line) / 4 - 3 * line - gap)),
-        view(globe.view(panel_width, panel_height)),
-        image(width, height, {255, 255, 255}),
-        tick(std::move(after_each)) {}
 
   /// Adds a picture with up to three lines of text.
   void add(const Image& picture, const std::string& name, const std::vector<std::string>& more) {
@@ -149,7 +142,7 @@ struct Phases {
 
 SheetImage draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
   using enum NumberKind;
-  Sheet sheet(globe, width, height, threads, tick);
+  Sheet sheet{globe, width, height, threads, tick};
   sheet.add_places(Filter::nearest, {{float_, 0}, {float_, 5}, {float_, 9}});
   sheet.add_places(Filter::bilinear, {{float_, 5}, {float_, 9}, {double_, 23}});
   sheet.add_curves();
@@ -159,7 +152,7 @@ SheetImage draw_sheet(const Globe& globe, int width, int height, int threads, co
 }
 
 View<> view_of_sheet(const Globe& globe, int width, int height) {
-  return Sheet(globe, width, height, 0, {}).view;
+  return Sheet{globe, width, height, 0, {}}.view;
 }
 
 std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out) {
