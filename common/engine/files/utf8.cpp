@@ -25,23 +25,11 @@ char32_t take_character(std::string_view& text) {
 }
 
 void append_utf8(std::string& text, char32_t character) {
-  const auto put = [&text](char32_t byte) { text += static_cast<char>(byte); };
-  const auto rest = [&](unsigned shift) { put(0x80U | (character >> shift & 0x3FU)); };
-  if (character < 0x80) {
-    put(character);
-  } else if (character < 0x800) {
-    put(0xC0U | character >> 6U);
-    rest(0);
-  } else if (character < 0x10000) {
-    put(0xE0U | character >> 12U);
-    rest(6);
-    rest(0);
-  } else {
-    put(0xF0U | character >> 18U);
-    rest(12);
-    rest(6);
-    rest(0);
-  }
+  // Each byte after the first has six bits. The first says how many bytes follow.
+  constexpr std::array<char32_t, 4> first{0, 0xC0, 0xE0, 0xF0};
+  unsigned left = character < 0x80 ? 0 : character < 0x800 ? 1 : character < 0x10000 ? 2 : 3;
+  text += static_cast<char>(first[left] | character >> 6U * left);
+  while (left-- > 0) text += static_cast<char>(0x80U | (character >> 6U * left & 0x3FU));
 }
 
 bool is_harmless(char32_t c) {
