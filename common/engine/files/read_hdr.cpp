@@ -28,15 +28,6 @@ using Rgbe = std::array<std::uint8_t, 4>;
   throw FileError("the Radiance file is damaged: " + how);
 }
 
-// A line of the file as a message may show it.
-std::string printable(std::string_view line) {
-  std::string shown(line.substr(0, max_shown));
-  for (char& c : shown) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return "'" + shown + (line.size() > max_shown ? "...'" : "'");
-}
-
 // The file, read from the front.
 class Reader {
  public:
@@ -82,7 +73,7 @@ class Reader {
       if (const std::string_view format = value_of("FORMAT="); !format.empty()) {
         has_format = true;
         if (format != "32-bit_rle_rgbe") {
-          throw FileError("its format is " + printable(format) +
+          throw FileError("its format is " + quoted(format, max_shown) +
                           ", and only 32-bit_rle_rgbe can be read; try: ra_xyze -r FILE out.hdr");
         }
       }
@@ -90,7 +81,8 @@ class Reader {
         const double factor = read_decimal(typed).value_or(-1);
         exposure *= factor == 0 ? 1 : factor;  // many programs write 0 for "not known"
         if (!(exposure >= 1e-30 && exposure <= 1e30))
-          damaged("the exposure " + printable(typed) + " is not a number from 1e-30 to 1e30");
+          damaged("the exposure " + quoted(typed, max_shown) +
+                  " is not a number from 1e-30 to 1e30");
       }
     }
     if (!has_format) damaged("it states no format");
@@ -118,7 +110,7 @@ class Reader {
       left.remove_prefix(static_cast<std::size_t>(end - left.data()));
     }
     if (!whole || !left.empty() || is_x[0] == is_x[1])
-      damaged("its size " + printable(line) + " is not of the form -Y height +X width");
+      damaged("its size " + quoted(line, max_shown) + " is not of the form -Y height +X width");
     // The first of the two counts the file's rows.
     return {{sizes[1], sizes[0]},
             {.from_right = minus[1] == is_x[1],

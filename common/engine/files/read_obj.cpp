@@ -34,13 +34,6 @@ bool goes_on(std::string_view line) {
   return line.front() == 'v' || line.front() == 'f' || is_blank(before);
 }
 
-// A piece of the file as a message shows it: at most 24 bytes, of which a terminal can show all.
-std::string quoted(std::string_view word) {
-  std::string shown = "'";
-  for (const char c : word.substr(0, 24)) shown += c > ' ' && c <= '~' ? c : '?';
-  return shown + (word.size() > 24 ? "...'" : "'");
-}
-
 // The words of a line up to a comment; 1.#QNAN has none.
 void split_words(std::string_view line, Words& words) {
   words.clear();

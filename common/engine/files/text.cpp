@@ -104,6 +104,12 @@ std::string text(const char* format, ...) {
   return result;
 }
 
+std::string quoted(std::string_view piece, std::size_t most) {
+  std::string shown = "'";
+  for (const char c : piece.substr(0, most)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (piece.size() > most ? "...'" : "'");
+}
+
 std::string escaped_markup(const std::string& plain) {
   std::string markup;
   for (const char c : plain) {

@@ -1,5 +1,6 @@
 // Numbers in sentences.
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ namespace texmap {
 
 /// A finite number in as few digits as read back as the same number.
 [[nodiscard]] std::string round_trip(double value);
+
+/// A piece of a file as a message shows it: so many bytes at most, all of which a terminal shows.
+[[nodiscard]] std::string quoted(std::string_view piece, std::size_t most = 24);
 
 /// A text as HTML and SVG show it: &, <, > and " are escaped.
 [[nodiscard]] std::string escaped_markup(const std::string& plain);
