@@ -174,14 +174,18 @@ struct MirrorWrap : Placed {
   }
 };
 
-/// A picture of so many texels, each unlike its neighbors.
-[[nodiscard]] inline LightImage colored_texels(int width, int height) {
-  return image_of(width, height, [](int column, int row) {
+/// A picture of so many texels, each unlike its neighbors: the texture of the next two.
+[[nodiscard]] inline FilteredTexture colored_texels(int width, int height, Wrap wrap) {
+  const LightImage texels = image_of(width, height, [](int column, int row) {
     return number_cast<float>(eight_texels[static_cast<std::size_t>(column + 3 * row) % 8]);
   });
+  return {.pyramid = pyramid_of(texels),
+          .filter = Filter::trilinear,
+          .wrap = wrap,
+          .v_axis = VAxis::down};
 }
 
-/// The texture of the next two, with the published footprint or the course's.
+/// Its color, with the published footprint or the course's.
 template <class Real>
 [[nodiscard]] Color<Real> color_of(const FilteredTexture& texture, const Uv<Dual<Real>>& uv,
                                    Formulas formulas) {
@@ -191,10 +195,7 @@ template <class Real>
 /// A floor of stripes: a picture one texel high. The published footprint is measured in (u, v),
 /// where one texel's height is as much as 64 texels' width.
 struct OneRow : Placed {
-  FilteredTexture texture{.pyramid = pyramid_of(colored_texels(64, 1)),
-                          .filter = Filter::trilinear,
-                          .wrap = Wrap::repeat,
-                          .v_axis = VAxis::down};
+  FilteredTexture texture = colored_texels(64, 1, Wrap::repeat);
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
@@ -210,10 +211,7 @@ struct OneRow : Placed {
 /// A picture in squares: in some u is NaN, in some v is infinite, in some a derivative is NaN. The
 /// course reads the picture's edge there, or its mean.
 struct NoNumber : Placed {
-  FilteredTexture texture{.pyramid = pyramid_of(colored_texels(8, 4)),
-                          .filter = Filter::trilinear,
-                          .wrap = Wrap::clamp,
-                          .v_axis = VAxis::down};
+  FilteredTexture texture = colored_texels(8, 4, Wrap::clamp);
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
