@@ -328,17 +328,10 @@ View<> noise_view(const Globe& globe, int view) {
 }
 
 UvError kernel_bound(NumberKind number, int degree) {
+  if (degree != 0) return worst_uv_error(degree, is_float(number));
   // The reference formula's is stated in texels of 8192 by 4096.
   const double texels = is_float(number) ? 0.001 : number == NumberKind::extended ? 1e-15 : 2e-12;
-  return with_uv_mapping(degree, [&](const auto& mapping) -> UvError {
-    using Mapping = std::decay_t<decltype(mapping)>;
-    if constexpr (requires { Mapping::template worst<double>; }) {
-      const std::array worst = {Mapping::template worst<float>, Mapping::template worst<double>};
-      return worst[is_float(number) ? 0 : 1];
-    } else {
-      return {texels / 8192, texels / 4096};
-    }
-  });
+  return {texels / 8192, texels / 4096};
 }
 
 double noise_bound(const std::vector<double>& errors) {

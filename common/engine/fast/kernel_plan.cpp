@@ -20,17 +20,6 @@ constexpr std::array uv_costs = {0.022, 0.028, 0.039, 0.103, 0.143};
 /// In float, rounding dominates beyond degree 17.
 bool is_for_float(int degree) { return degree >= 5 && degree <= 17; }
 
-UvError worst_of(int degree) {
-  return with_uv_mapping(degree, [degree]<class Mapping>(const Mapping&) -> UvError {
-    if constexpr (requires { Mapping::template worst<float>; }) {
-      if (is_for_float(degree)) return Mapping::template worst<float>;
-      return Mapping::template worst<double>;
-    } else {
-      return {};
-    }
-  });
-}
-
 bool allows(const Budget& budget, double texels, double levels) {
   if (budget.unit == Budget::Unit::texels) return texels <= budget.limit;
   return budget.unit == Budget::Unit::levels && levels <= budget.limit;
@@ -97,6 +86,16 @@ void plan_places(KernelPlan& plan, const Budget& budget, const Image& texture) {
 
 }  // namespace
 
+UvError worst_uv_error(int degree, bool in_float) {
+  return with_uv_mapping(degree, [in_float]<class Mapping>(const Mapping&) -> UvError {
+    if constexpr (requires { Mapping::template worst<float>; }) {
+      return in_float ? Mapping::template worst<float> : Mapping::template worst<double>;
+    } else {
+      return {};
+    }
+  });
+}
+
 Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   if (width < 1 || height < 1)
@@ -104,7 +103,7 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
   const std::string start = beginning("(u, v)", budget) + " on " + size + ": ";
   for (std::size_t i = 0; i < uv_degrees.size(); ++i) {
     const int degree = uv_degrees[i];
-    const UvError worst = worst_of(degree);
+    const UvError worst = worst_uv_error(degree, is_for_float(degree));
     const double u = worst.u * width, v = worst.v * height;
     const double texels = std::max(u, v), levels = 255 * (u + v);
     if (!allows(budget, texels, levels)) continue;

@@ -25,6 +25,8 @@ struct Polynomial {
   std::string text{};       ///< a sentence that says all this, and the time
 };
 
+/// The worst error of the kernel of a degree, in float or in double; 0 of the reference formula.
+[[nodiscard]] UvError worst_uv_error(int degree, bool in_float);
 /// The cheapest kernel for (u, v) with a worst case within the budget, for a filtered texture.
 /// With the nearest texel, places that close to an edge can get the neighboring texel.
 ///
