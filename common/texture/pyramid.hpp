@@ -39,12 +39,10 @@ struct Pyramid {
   /// The light of a texel.
   ///
   /// @param row  among the rows of all levels
-  [[nodiscard]] Color<float> at(std::size_t column, std::size_t row) const {
-    const std::size_t texel = row_starts[row] + column;
-    return row < original_rows() ? original[texel] : smaller.pixels[texel];
-  }
-  [[nodiscard]] std::size_t original_rows() const {
-    return static_cast<std::size_t>(original.height);
+  [[nodiscard]] Color<float> at(int column, int row) const {
+    const std::size_t texel =
+        row_starts[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column);
+    return row < original.height ? original[texel] : smaller.pixels[texel];
   }
 };
 
@@ -162,14 +160,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Color<Real> texel_light(const Pyramid& pyramid, const PyramidLevel<Real>& level,
                                       const Real& column, const Real& row) {
-  const auto channels = look_up(
-      [&](int at_column, int at_row) {
-        const Color<float> texel =
-            pyramid.at(static_cast<std::size_t>(at_column), static_cast<std::size_t>(at_row));
-        return std::array{texel.r, texel.g, texel.b};
-      },
-      column, level.first_row + row);
-  return {channels[0], channels[1], channels[2]};
+  return light_at(pyramid, column, level.first_row + row);
 }
 
 /// The light of four texels of a level, in two columns and two rows inside its image, mixed.

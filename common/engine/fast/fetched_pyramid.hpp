@@ -28,7 +28,8 @@ requires can_fetch<Real>
 [[nodiscard]] auto channels_in_row(const Pyramid& pyramid, std::uint32_t row,
                                    std::uint32_t column) {
   const std::size_t texel = pyramid.row_starts[row] + column;
-  if (row >= pyramid.original_rows()) return channels_at<Real>(&pyramid.smaller.pixels[texel].r);
+  if (row >= static_cast<std::uint32_t>(pyramid.original.height))
+    return channels_at<Real>(&pyramid.smaller.pixels[texel].r);
   const Color<float> light = pyramid.original[texel];
   return channels_of<Real>(light.r, light.g, light.b);
 }
