@@ -86,23 +86,18 @@ class Environment {
   /// The light at a place on the picture.
   template <class Real>
   [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
-    if (constant_) {
-      const Color<float>& light = map_.pixels.front();
-      return {Real(light.r), Real(light.g), Real(light.b)};
-    }
-    const auto texels = [this](int column, int row) {
-      const Color<float>& light = map_.at(column, row);
-      return std::array{light.r, light.g, light.b};
-    };
-    const auto color = [](const std::array<Real, 3>& channels) -> Color<Real> {
-      return {channels[0], channels[1], channels[2]};
-    };
+    if (constant_) return number_cast<Real>(map_.pixels.front());
     if (filter_ == TexelFilter::nearest) {
-      return color(look_up(
-          texels, texel_place(uv, map_.width, map_.height, VAxis::up, TexelRounding::floor)));
+      const auto channels = look_up(
+          [this](int column, int row) {
+            const Color<float>& light = map_.at(column, row);
+            return std::array{light.r, light.g, light.b};
+          },
+          texel_place(uv, map_.width, map_.height, VAxis::up, TexelRounding::floor));
+      return {channels[0], channels[1], channels[2]};
     }
     const auto texel_at = [&](const Real& column, const Real& row) {
-      return color(look_up(texels, column, Real(map_.height - 1) - row));
+      return light_at(map_, column, Real(map_.height - 1) - row);
     };
     return mixed_on_sphere(texel_at, uv, map_.width, map_.height);
   }
