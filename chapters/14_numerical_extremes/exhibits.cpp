@@ -39,8 +39,10 @@ Exhibit exhibit_of(const Scene& moved) {
           },
           [scene](Formulas formulas, NumberKind number, int width, int height,
                   const RenderSettings& settings) {
-            return draw_single(SceneWith<Scene>{*scene, formulas},
-                               view_of(scene->camera, width, height), number, settings);
+            const SceneWith<Scene> drawn{*scene, formulas};
+            const View<> view = view_of(scene->camera, width, height);
+            return run_in_number(DrawWork<SceneWith<Scene>, false>{drawn, view, settings}, number,
+                                 settings.instructions);
           }};
 }
 

@@ -130,13 +130,6 @@ template <class Lesson>
     return run_in_number(DrawWork<Lesson>{lesson, view, settings}, number, settings.instructions);
   }
 }
-/// The same for code that says nothing of its numbers and does not compile for packs.
-template <class Lesson>
-[[nodiscard]] Image draw_single(const Lesson& lesson, const View<>& view, NumberKind number,
-                                const RenderSettings& settings) {
-  return run_in_number(DrawWork<Lesson, false>{lesson, view, settings}, number,
-                       settings.instructions);
-}
 
 /// The light of a lesson, gathered with `number`.
 ///
