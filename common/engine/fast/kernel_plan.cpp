@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/fast/biquadratic.hpp"
 #include "engine/files/text.hpp"
@@ -30,19 +31,6 @@ std::string beginning(const std::string& what, const Budget& budget) {
   if (budget.unit == Budget::Unit::exact) return what + " for exact";
   return what + (budget.unit == Budget::Unit::texels ? " for texels=" : " for levels=") +
          shown(budget.limit, 2);
-}
-
-/// The cheapest of Phong's powers within a budget, for a full highlight in packs of float.
-Polynomial choose_power_kernel(const Budget& budget) {
-  const std::string start = beginning("Phong's power", budget) + ": ";
-  for (Polynomial choice : {Polynomial{3, 0, PowerKernel<3>::worst_levels<float>},
-                            {6, 0, PowerKernel<6>::worst_levels<float>}}) {
-    if (!allows(budget, HUGE_VAL, choice.worst_levels)) continue;
-    choice.text = start + "a polynomial of " + std::to_string(choice.terms) + " terms; at worst " +
-                  shown(choice.worst_levels, 2) + " levels";
-    return choice;
-  }
-  return {.text = start + "the exponential and the logarithm"};
 }
 
 /// Adds the mapping and the smoothing of pixels that keep a budget together.
@@ -133,8 +121,16 @@ KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads
 }
 
 KernelPlan plan_highlight(const Budget& budget) {
-  const Polynomial power = choose_power_kernel(budget);
-  return {.power_terms = power.terms, .text = power.text + "\n"};
+  const std::string start = beginning("Phong's power", budget) + ": ";
+  // The cheapest within the budget, for a full highlight in packs of float.
+  for (const auto& [terms, worst] : {std::pair{3, PowerKernel<3>::worst_levels<float>},
+                                     std::pair{6, PowerKernel<6>::worst_levels<float>}}) {
+    if (!allows(budget, HUGE_VAL, worst)) continue;
+    return {.power_terms = terms,
+            .text = start + "a polynomial of " + std::to_string(terms) + " terms; at worst " +
+                    shown(worst, 2) + " levels\n"};
+  }
+  return {.text = start + "the exponential and the logarithm\n"};
 }
 
 }  // namespace texmap

@@ -17,11 +17,11 @@
 
 namespace texmap {
 
-/// A polynomial that keeps a budget, or the exact formula.
+/// Polynomials for (u, v) that keep a budget, or the exact formula.
 struct Polynomial {
-  int terms = 0;            ///< for (u, v) the degree of the arc tangent; 0: exact
+  int terms = 0;            ///< the degree of the arc tangent; 0: exact
   double worst_texels = 0;  ///< largest error of a place
-  double worst_levels = 0;  ///< of a color; for (u, v) 255 a texel, filtered, u and v together
+  double worst_levels = 0;  ///< of a color, 255 a texel, filtered, u and v together
   std::string text{};       ///< a sentence that says all this, and the time
 };
 
