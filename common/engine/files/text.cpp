@@ -1,6 +1,7 @@
 // Numbers in sentences.
 #include "engine/files/text.hpp"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdarg>
@@ -111,19 +112,12 @@ std::string quoted(std::string_view piece, std::size_t most) {
 }
 
 std::string escaped_markup(const std::string& plain) {
+  constexpr std::string_view special = "&<>\"";
+  constexpr std::array escapes = {"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string markup;
   for (const char c : plain) {
-    if (c == '&') {
-      markup += "&amp;";
-    } else if (c == '<') {
-      markup += "&lt;";
-    } else if (c == '>') {
-      markup += "&gt;";
-    } else if (c == '"') {
-      markup += "&quot;";
-    } else {
-      markup += c;
-    }
+    const std::size_t i = special.find(c);
+    markup += i == special.npos ? std::string(1, c) : escapes[i];
   }
   return markup;
 }
