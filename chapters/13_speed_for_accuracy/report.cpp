@@ -85,10 +85,6 @@ Json json_of(const Row& row, const Image& texture) {
 
 // Plots.
 
-std::string series_of(const Row& row) {
-  return row.part == Part::samplers ? name_of(row.sampler) : number_of(row);
-}
-
 /// Time across and error up. Of places and curves the time is a part of plain double's, and of
 /// curves the rounding to bytes is half a level of the error.
 PlotPoint point_of(const Row& row) {
@@ -103,7 +99,7 @@ PlotPoint point_of(const Row& row) {
 /// labels, unless each point has one. Of neighbors on it that are as fast only the most exact has.
 Plot with_rows(Plot plot, const Rows& rows) {
   for (const Row* row : rows) {
-    const std::string name = series_of(*row);
+    const std::string name = row->part == Part::samplers ? name_of(row->sampler) : number_of(*row);
     auto series = std::find_if(plot.series.begin(), plot.series.end(),
                                [&](const PlotSeries& each) { return each.name == name; });
     if (series == plot.series.end()) {
