@@ -110,7 +110,7 @@ struct PlannedTexture {
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    return roots.texels.empty() ? (*exact)(uv) : roots(uv);
+    return roots.texels.pixels.empty() ? (*exact)(uv) : roots(uv);
   }
 };
 

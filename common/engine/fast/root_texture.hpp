@@ -1,9 +1,7 @@
 // An image as a texture for packs: one 32-bit word a texel.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include "number/kinds/fetch.hpp"
 #include "number/table.hpp"
@@ -14,11 +12,9 @@ namespace texmap {
 /// The nearest texel, as LightTexture; a texel is one word, ten bits a channel for the square root
 /// of its light, which is spread about as the eye sees it.
 struct RootTexture {
-  int width = 0;
-  int height = 0;
+  Grid<std::uint32_t> texels;  ///< red in the lowest bits
   VAxis v_axis = VAxis::up;
   TexelRounding rounding = TexelRounding::floor;
-  std::vector<std::uint32_t> texels;  ///< row by row from the top; red in the lowest bits
 
   static constexpr int most = 1023;  ///< of a channel: the root of 1
 
@@ -27,31 +23,28 @@ struct RootTexture {
 
   RootTexture() = default;
   explicit RootTexture(const LightTexture& texture)
-      : width(texture.image.width),
-        height(texture.image.height),
-        v_axis(texture.v_axis),
-        rounding(texture.rounding) {
+      : v_axis(texture.v_axis), rounding(texture.rounding) {
     std::array<std::uint32_t, 256> roots{};
     for (std::size_t byte = 0; byte < roots.size(); ++byte) {
       roots[byte] = static_cast<std::uint32_t>(
           std::lround(most * std::sqrt(light_of_bytes<double>(texture.light)[byte])));
     }
-    texels.resize(texture.image.pixels.size());
-    std::transform(
-        texture.image.pixels.begin(), texture.image.pixels.end(), texels.begin(),
-        [&](const Rgb8& at) { return roots[at.r] | roots[at.g] << 10 | roots[at.b] << 20; });
+    texels = image_of(texture.image.width, texture.image.height, [&](int column, int row) {
+      const Rgb8& at = texture.image.at(column, row);
+      return roots[at.r] | roots[at.g] << 10 | roots[at.b] << 20;
+    });
   }
 
   /// @return  each channel 0 to 1. Domain: a texture with texels
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    const TexelPlace<Real> place = texel_place(uv, width, height, v_axis, rounding);
+    const TexelPlace<Real> place = texel_place(uv, texels.width, texels.height, v_axis, rounding);
     const auto light = [](const Real& root) { return square(root * Real(1.0 / most)); };
     if constexpr (can_fetch<Real>) {
       using Integers = UInt<Real>;
-      const Integers index = uint_from_real(place.row) * static_cast<std::uint32_t>(width) +
+      const Integers index = uint_from_real(place.row) * static_cast<std::uint32_t>(texels.width) +
                              uint_from_real(place.column);
-      const Integers word = fetch_four_bytes<Real, 4>(texels.data(), index);
+      const Integers word = fetch_four_bytes<Real, 4>(texels.pixels.data(), index);
       const auto channel = [&](const Integers& bits) {
         return light(real_from_uint<Real>(bits & std::uint32_t{most}));
       };
@@ -59,9 +52,7 @@ struct RootTexture {
     }
     const auto roots = look_up(
         [&](int column, int row) {
-          const std::uint32_t word =
-              texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(column)];
+          const std::uint32_t word = texels.at(column, row);
           return std::array{word & most, word >> 10 & most, word >> 20 & most};
         },
         place);
