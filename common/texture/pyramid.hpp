@@ -77,10 +77,6 @@ struct Covered {
 /// @param light_of  the light of a texel, by its number row by row
 template <class LightOf>
 void append_half(std::vector<Color<float>>& to, int width, int height, const LightOf& light_of) {
-  const auto rounded = [](const Rgb& mean) {
-    return Color<float>{static_cast<float>(mean.r), static_cast<float>(mean.g),
-                        static_cast<float>(mean.b)};
-  };
   const std::vector<Covered> columns = covered_by_half(width);
   std::vector<Rgb> narrow(static_cast<std::size_t>(std::max(width / 2, 1)));  // one row
   std::vector<Rgb> sums(narrow.size());
@@ -88,7 +84,7 @@ void append_half(std::vector<Color<float>>& to, int width, int height, const Lig
   int in_narrow = -1;
   std::size_t in_sums = 0;
   const auto finish = [&] {
-    for (Rgb& sum : sums) to.push_back(rounded(std::exchange(sum, {}) * row_share));
+    for (Rgb& sum : sums) to.push_back(number_cast<float>(std::exchange(sum, {}) * row_share));
   };
   for (const auto& [row, from, part] : covered_by_half(height)) {
     if (row != in_sums) finish();
@@ -101,7 +97,7 @@ void append_half(std::vector<Color<float>>& to, int width, int height, const Lig
             narrow[column] +
             number_cast<double>(light_of(start + static_cast<std::size_t>(old))) * share;
       }
-      for (Rgb& sum : narrow) sum = number_cast<double>(rounded(sum * column_share));
+      for (Rgb& sum : narrow) sum = number_cast<double>(number_cast<float>(sum * column_share));
     }
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = sums[i] + narrow[i] * part;
   }

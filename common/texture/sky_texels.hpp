@@ -55,9 +55,8 @@ struct SkyBand {
 
 /// The brightness of light to the sampler: the mean of its channels.
 [[nodiscard]] inline double brightness_of(const Color<float>& light) {
-  return (static_cast<double>(light.r) + static_cast<double>(light.g) +
-          static_cast<double>(light.b)) /
-         3;
+  const auto wide = number_cast<double>(light);
+  return (wide.r + wide.g + wide.b) / 3;
 }
 
 }  // namespace texmap
