@@ -1,7 +1,6 @@
 // Which ways are tried, how long they take, and which is best.
 #pragma once
 #include <span>
-#include <string>
 #include <vector>
 
 #include "engine/fast/budget.hpp"

@@ -1,7 +1,5 @@
 // A point or a direction in space, and the operations on it.
 #pragma once
-#include <type_traits>
-
 #include "number/compensated.hpp"
 
 namespace texmap {

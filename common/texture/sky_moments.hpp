@@ -1,7 +1,6 @@
 // A sky as nine numbers a channel: enough for the light of matte surfaces.
 #pragma once
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "math/vec3.hpp"

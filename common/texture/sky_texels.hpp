@@ -1,7 +1,6 @@
 // The texels of a sky as parts of the sphere: how large each is, and how much light it holds.
 #pragma once
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>

@@ -2,7 +2,6 @@
 #pragma once
 #include <concepts>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "engine/draw/certainty_map.hpp"

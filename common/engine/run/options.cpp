@@ -1,9 +1,7 @@
 // What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
 // of their own, have files of their own. A program that offers none of these groups links none.
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/draw/convert_projection.hpp"

@@ -1,7 +1,6 @@
 // Packs: several numbers that are computed at once and used like one.
 #pragma once
 #include <array>
-#include <limits>
 #include <type_traits>
 
 #include "number/kinds/batch.hpp"
