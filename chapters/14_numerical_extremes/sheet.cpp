@@ -108,11 +108,9 @@ void ExhibitOptions::apply_to(Chosen& chosen) const {
     return chosen.default_size(800, 600);
   }
   for (const char* const option : {"--number", "--samples", "--formulas"}) {
-    if (chosen.was_given(option)) {
-      throw UsageError(
-          "--number, --samples and --formulas need --exhibit NAME: the sheet shows float and "
-          "double, published and robust");
-    }
+    usage_error_if(chosen.was_given(option),
+                   "--number, --samples and --formulas need --exhibit NAME: the sheet shows float "
+                   "and double, published and robust");
   }
 }
 
@@ -148,9 +146,8 @@ Image draw_exhibit(const std::vector<Exhibit>& exhibits, const std::string& name
                    Session& session) {
   const auto exhibit = std::find_if(exhibits.begin(), exhibits.end(),
                                     [&name](const Exhibit& each) { return each.name == name; });
-  if (exhibit == exhibits.end()) {
-    throw UsageError("--exhibit takes one of " + names_of(exhibits) + ", not '" + name + "'");
-  }
+  usage_error_if(exhibit == exhibits.end(),
+                 "--exhibit takes one of " + names_of(exhibits) + ", not '" + name + "'");
   const Settings& chosen = session.settings;
   return session.timed(
       1.0 * chosen.width * chosen.height * chosen.samples, [&](const RenderSettings& settings) {

@@ -115,47 +115,39 @@ void Chosen::note(const std::string& text) const { line_.note(text); }
 
 void Chosen::check() const {
   const bool double_alone = settings.number == NumberKind::double_ && settings.budget.is_exact();
-  if (one_number_ && (!double_alone || was_given("--instructions"))) {
-    throw UsageError(
-        "--number, --instructions and --budget need a program with all number types. This one was "
-        "built for learning, with double alone. ./course run NN builds the other one if you give "
-        "such an option; by hand: cmake --preset release && cmake --build --preset release");
-  }
-  if (settings.show != Shown::color && settings.number == NumberKind::interval) {
-    throw UsageError(
-        "--show normal, uv and object do not work with --number interval, which bounds colors");
-  }
-  if (settings.show != Shown::color && was_given("--samples") && settings.samples != 1) {
-    throw UsageError(
-        "--show normal, uv and object use 1 ray per pixel, because a mean of normals or objects "
-        "has no meaning: leave --samples out");
-  }
-  if (was_given("--at") && !was_given("--zoom")) {
-    throw UsageError("--at is the pixel that stays in its place under --zoom: give --zoom, too");
-  }
+  usage_error_if(
+      one_number_ && (!double_alone || was_given("--instructions")),
+      "--number, --instructions and --budget need a program with all number types. This one was "
+      "built for learning, with double alone. ./course run NN builds the other one if you give "
+      "such an option; by hand: cmake --preset release && cmake --build --preset release");
+  usage_error_if(
+      settings.show != Shown::color && settings.number == NumberKind::interval,
+      "--show normal, uv and object do not work with --number interval, which bounds colors");
+  usage_error_if(
+      settings.show != Shown::color && was_given("--samples") && settings.samples != 1,
+      "--show normal, uv and object use 1 ray per pixel, because a mean of normals or objects "
+      "has no meaning: leave --samples out");
+  usage_error_if(was_given("--at") && !was_given("--zoom"),
+                 "--at is the pixel that stays in its place under --zoom: give --zoom, too");
   for (const char* option : {"--plot", "--to", "--turntable"}) {
-    if ((trade || extremes) && was_given(option)) {
-      throw UsageError(std::string(trade ? "--trade" : "--extremes") +
+    usage_error_if((trade || extremes) && was_given(option),
+                   std::string(trade ? "--trade" : "--extremes") +
                        " measures one picture of the lesson's scene: leave out " + option);
-    }
   }
-  if (!machine_has(settings.instructions)) {
-    throw UsageError(
-        "--instructions: this machine does not have them; without the option the program uses the "
-        "widest that the machine has");
-  }
-  if (static_cast<long>(settings.width) * settings.height > most_pixels) {
-    throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
+  usage_error_if(
+      !machine_has(settings.instructions),
+      "--instructions: this machine does not have them; without the option the program uses the "
+      "widest that the machine has");
+  usage_error_if(static_cast<long>(settings.width) * settings.height > most_pixels,
+                 "--width " + std::to_string(settings.width) + " times --height " +
                      std::to_string(settings.height) + " must be at most 67108864 (2^26) pixels");
-  }
   std::string lower = settings.out;
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   for (const std::string_view ending :
        {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp"}) {
-    if (lower.ends_with(ending)) {
-      throw UsageError("--out " + settings.out +
-                       ": pictures are written as PNG; give a name that ends in .png");
-    }
+    usage_error_if(
+        lower.ends_with(ending),
+        "--out " + settings.out + ": pictures are written as PNG; give a name that ends in .png");
   }
   if (settings.out == default_out_) {
     std::error_code error;

@@ -18,6 +18,11 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws UsageError `why` if the condition holds.
+inline void usage_error_if(bool refused, const std::string& why) {
+  if (refused) throw UsageError(why);
+}
+
 /// The whole of `text` as a whole number.
 /// Errors: UsageError with `option` and its range, unless `text` is an optional minus sign and
 /// digits in the range.

@@ -13,11 +13,9 @@ Film gather_within_limits(const SamplingOptions& options, int most,
                           std::atomic<double>& error_so_far, const GatherPattern& gather) {
   auto pattern = static_cast<std::uint32_t>(options.seed);
   if (options.time_limit == 0 && options.target_error == 0) return gather(most, pattern);
-  if (most < 2) {
-    throw UsageError(
-        "--samples 1: --time-limit and --target-error need two samples per pixel to estimate the "
-        "error");
-  }
+  usage_error_if(most < 2,
+                 "--samples 1: --time-limit and --target-error need two samples per pixel to "
+                 "estimate the error");
 
   const auto start = std::chrono::steady_clock::now();
   int pair = std::min(8, most / 2);

@@ -57,11 +57,9 @@ template <class Paint>
   if constexpr (std::is_same_v<Paint, GlobePaint>) {
     return plan_surface(budget, paint.texture.image, reads);
   } else {
-    if (!budget.is_exact()) {
-      throw UsageError(
-          "--budget is for a globe with a picture in one of the conventions: this lesson's paint "
-          "has no faster formulas");
-    }
+    usage_error_if(!budget.is_exact(),
+                   "--budget is for a globe with a picture in one of the conventions: this "
+                   "lesson's paint has no faster formulas");
     return {};
   }
 }

@@ -40,11 +40,10 @@ Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale,
   Vec3d by{moved, moved, moved};
   if constexpr (requires { lesson.floor, lesson.ground.mapping.mapping.size; }) {
     using Mode = decltype(lesson.filtering.wrap);
-    if (lesson.filtering.wrap != Mode::repeat && lesson.filtering.wrap != Mode::mirror) {
-      throw UsageError(
-          "--extremes moves the floor by whole copies of its picture: with --wrap clamp or border "
-          "there is only one");
-    }
+    usage_error_if(
+        lesson.filtering.wrap != Mode::repeat && lesson.filtering.wrap != Mode::mirror,
+        "--extremes moves the floor by whole copies of its picture: with --wrap clamp or border "
+        "there is only one");
     lesson.ground.mapping.mapping.size *= scale;
     by = by_whole_copies(lesson.ground.mapping, by);
     lesson.floor.height = lesson.floor.height * scale + by.y;

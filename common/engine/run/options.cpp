@@ -174,17 +174,13 @@ void BumpOptions::declare(Offer& offer) {
 
 void BumpOptions::check(const Chosen& chosen) const {
   if (normals.empty()) {
-    if (chosen.was_given("--green"))
-      throw UsageError("--green says how to read a normal map: give --normals FILE, too");
-    return;
+    return usage_error_if(chosen.was_given("--green"),
+                          "--green says how to read a normal map: give --normals FILE, too");
   }
-  for (const char* option :
-       {"--bump", "--slopes", "--step", "--relief", "--relief-from", "--relief-image"}) {
-    if (chosen.was_given(option))
-      throw UsageError(std::string("--normals has no heights: leave out ") + option);
-  }
-  if (picture != BumpPicture::globe)
-    throw UsageError("--normals is for the globe: leave out --show");
+  for (const std::string option :
+       {"--bump", "--slopes", "--step", "--relief", "--relief-from", "--relief-image"})
+    usage_error_if(chosen.was_given(option), "--normals has no heights: leave out " + option);
+  usage_error_if(picture != BumpPicture::globe, "--normals is for the globe: leave out --show");
 }
 
 bool BumpOptions::paints(const Chosen& chosen) const {
@@ -203,15 +199,13 @@ BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
     if (std::abs(r - g) < 8.5F && std::abs(g - b) < 8.5F) ++gray;
     if (b < 127.5F) ++inward;
   }
-  if (gray == numbers.size()) {
-    throw UsageError("--normals " + normals +
-                     ": all its texels are gray; it looks like heights: use --relief-image");
-  }
-  if (2 * inward > numbers.size()) {
-    throw UsageError("--normals " + normals +
-                     ": most of its normals point inward (blue below 128), so it is no normal map. "
+  const std::string its = "--normals " + normals + ": ";
+  usage_error_if(gray == numbers.size(),
+                 its + "all its texels are gray; it looks like heights: use --relief-image");
+  usage_error_if(2 * inward > numbers.size(),
+                 its +
+                     "most of its normals point inward (blue below 128), so it is no normal map. "
                      "If it has heights, give it to --relief-image");
-  }
   return {map, v_axis, TexelLight::encoded, map.pixels.empty() ? numbers : SharedLight()};
 }
 

@@ -17,9 +17,8 @@ namespace {
 /// The pixel that --at names in a picture of this size. Errors: UsageError.
 PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
   const std::size_t comma = typed.find(',');
-  if (comma == std::string_view::npos) {
-    throw UsageError("--at takes COLUMN,ROW such as 400,300, not '" + std::string(typed) + "'");
-  }
+  usage_error_if(comma == std::string_view::npos,
+                 "--at takes COLUMN,ROW such as 400,300, not '" + std::string(typed) + "'");
   return {double{1} * parse_whole("the column of --at", typed.substr(0, comma), 0, width - 1),
           double{1} * parse_whole("the row of --at", typed.substr(comma + 1), 0, height - 1)};
 }
@@ -80,11 +79,10 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
 }
 
 void Session::save(const Image& image, std::string_view suffix) {
-  if ((settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_) {
-    throw UsageError(
-        "--zoom and --show normal, uv and object work only for pictures that a camera sees; this "
-        "picture has no camera");
-  }
+  usage_error_if(
+      (settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_,
+      "--zoom and --show normal, uv and object work only for pictures that a camera sees; this "
+      "picture has no camera");
   seen_by_camera_ = false;
   if (taken != nullptr) {
     *taken = image;

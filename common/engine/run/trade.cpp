@@ -168,16 +168,12 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
 
 void show_trade(const Chosen& chosen, const CommandLine& line, const Words& words,
                 const std::vector<Instructions>& packs, const DrawingBy& drawing) {
-  if (line.was_given("--time-limit")) {
-    throw UsageError(
-        "--time-limit stops a slow way after fewer samples, so --trade would compare other "
-        "pictures: give --samples in its place");
-  }
-  if (chosen.settings.number == NumberKind::interval) {
-    throw UsageError(
-        "--number interval draws how certain the colors are, and --trade compares colors: leave "
-        "one of them out");
-  }
+  usage_error_if(line.was_given("--time-limit"),
+                 "--time-limit stops a slow way after fewer samples, so --trade would compare "
+                 "other pictures: give --samples in its place");
+  usage_error_if(chosen.settings.number == NumberKind::interval,
+                 "--number interval draws how certain the colors are, and --trade compares "
+                 "colors: leave one of them out");
   std::filesystem::path file = path_of(chosen.settings.out);
   file = file.replace_extension() += "_trade.svg";
   check_output(file);
@@ -205,10 +201,9 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
 
 void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) {
   for (const char* option : {"--number", "--budget"}) {
-    if (chosen.was_given(option)) {
-      throw UsageError(std::string("--extremes chooses numbers and formulas itself: leave out ") +
-                       option);
-    }
+    usage_error_if(
+        chosen.was_given(option),
+        std::string("--extremes chooses numbers and formulas itself: leave out ") + option);
   }
   const Image right = draw(false, 1, 0);
   constexpr int decades = 20;
