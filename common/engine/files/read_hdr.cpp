@@ -125,6 +125,10 @@ class Reader {
     return byte;
   }
   [[noreturn]] static void ends_in(int row) { damaged("it ends in row " + std::to_string(row)); }
+  [[noreturn]] static void too_long(std::size_t run, int row) {
+    damaged("a run of " + std::to_string(run) + " texels does not fit into row " +
+            std::to_string(row));
+  }
 
   void scanline(std::vector<Rgbe>& texels, int row) {
     const std::size_t width = texels.size();
@@ -149,10 +153,7 @@ class Reader {
     while (x < texels.size()) {
       const std::size_t code = take_byte(row);
       const std::size_t count = code > 128 ? code - 128 : code;
-      if (count == 0 || count > texels.size() - x) {
-        damaged("a run of " + std::to_string(count) + " texels does not fit into row " +
-                std::to_string(row));
-      }
+      if (count == 0 || count > texels.size() - x) too_long(count, row);
       if (code > 128) {
         const std::uint8_t value = take_byte(row);
         for (std::size_t i = 0; i < count; ++i) texels[x++][channel] = value;
@@ -177,10 +178,7 @@ class Reader {
         continue;
       }
       const std::size_t count = std::size_t{texel[3]} << shift;
-      if (x == 0 || count > texels.size() - x || shift > 16) {
-        damaged("a run of " + std::to_string(count) + " texels does not fit into row " +
-                std::to_string(row));
-      }
+      if (x == 0 || count > texels.size() - x || shift > 16) too_long(count, row);
       std::fill_n(texels.begin() + static_cast<std::ptrdiff_t>(x), count, texels[x - 1]);
       x += count;
       shift += 8;
