@@ -1,4 +1,4 @@
-// The option --budget.
+// What is typed for the option --budget.
 #pragma once
 #include <string>
 #include <string_view>
@@ -15,15 +15,6 @@ namespace texmap {
   } catch (const std::invalid_argument& error) {
     throw UsageError("--budget: " + std::string(error.what()));
   }
-}
-
-/// Offers the option for `budget`.
-inline void offer_budget(CommandLine& line, Budget& budget, std::string_view help) {
-  line.add("--budget", "BUDGET", help, to_text(budget),
-           [&budget](const std::string&, std::string_view typed) {
-             budget = read_budget(typed);
-             return true;
-           });
 }
 
 }  // namespace texmap

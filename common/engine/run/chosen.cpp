@@ -42,7 +42,13 @@ Chosen::Chosen(std::string_view name, const Offer& offer, const About& about)
     offer_numbers(about.numbers,
                   lacks_sines ? "they have no sin, cos, pow or ldexp" : offer.no_intervals);
   }
-  if (!offer.budget.empty()) offer_budget(line, settings.budget, offer.budget);
+  if (!offer.budget.empty()) {
+    line.add("--budget", "BUDGET", offer.budget, to_text(settings.budget),
+             [this](const std::string&, std::string_view typed) {
+               settings.budget = read_budget(typed);
+               return true;
+             });
+  }
   if (offer.spheres) {
     line.choice(
         "--spheres", settings.spheres, "plain|robust|hybrid",
