@@ -19,11 +19,8 @@ struct Dual {
   Dual() = default;
   /// A constant: its derivatives are 0.
   template <class Number>
-  requires std::is_convertible_v<Number, Real> Dual(const Number& number)
-      : value(static_cast<Real>(number)), dx(0), dy(0) {}
-  template <class Number>
-  requires(!std::is_convertible_v<Number, Real> &&
-           std::is_constructible_v<Real, const Number&>) explicit Dual(const Number& number)
+  requires std::is_constructible_v<Real, const Number&>
+  explicit(!std::is_convertible_v<Number, Real>) Dual(const Number& number)
       : value(static_cast<Real>(number)), dx(0), dy(0) {}
   Dual(const Real& number, const Real& by_x, const Real& by_y)
       : value(number), dx(by_x), dy(by_y) {}
