@@ -11,19 +11,21 @@ struct PixelOrder {
   bool columns_first = false;  ///< its rows are then the picture's columns
   friend bool operator==(const PixelOrder&, const PixelOrder&) = default;
 
-  /// A picture for a file of so many columns and rows.
-  template <class Pixel>
-  [[nodiscard]] Grid<Pixel> picture(int columns, int rows) const {
-    return columns_first ? Grid<Pixel>(rows, columns) : Grid<Pixel>(columns, rows);
-  }
-  /// The pixel that the file has in a column and a row.
-  template <class Pixel>
-  [[nodiscard]] Pixel& at(Grid<Pixel>& picture, int column, int row) const {
-    const int columns = columns_first ? picture.height : picture.width;
-    const int rows = columns_first ? picture.width : picture.height;
-    if (from_right) column = columns - 1 - column;
-    if (from_below) row = rows - 1 - row;
-    return columns_first ? picture.at(row, column) : picture.at(column, row);
+  /// The picture of a file with so many columns and rows.
+  ///
+  /// @param pixel_at  the file's pixel in a column and a row; called row by row
+  template <class PixelAt>
+  [[nodiscard]] auto picture(int columns, int rows, const PixelAt& pixel_at) const {
+    using Picture = Grid<decltype(pixel_at(0, 0))>;
+    Picture picture = columns_first ? Picture(rows, columns) : Picture(columns, rows);
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        const int x = from_right ? columns - 1 - column : column;
+        const int y = from_below ? rows - 1 - row : row;
+        (columns_first ? picture.at(y, x) : picture.at(x, y)) = pixel_at(column, row);
+      }
+    }
+    return picture;
   }
 };
 

@@ -39,14 +39,11 @@ class Reader {
     check_image_size(size);
     check_sky_size(size, most_texels);
     const int columns = static_cast<int>(size.width), rows = static_cast<int>(size.height);
-    LightImage image = order.picture<Color<float>>(columns, rows);
-    std::vector<Rgbe> row(size.width);
-    for (int y = 0; y < rows; ++y) {
-      scanline(row, y);
-      for (int x = 0; x < columns; ++x)
-        order.at(image, x, y) = light_of(row[static_cast<std::size_t>(x)], exposure);
-    }
-    return image;
+    std::vector<Rgbe> texels(size.width);  // of a row
+    return order.picture(columns, rows, [&](int column, int row) {
+      if (column == 0) scanline(texels, row);
+      return light_of(texels[static_cast<std::size_t>(column)], exposure);
+    });
   }
 
  private:

@@ -626,12 +626,12 @@ Image read_jpeg(Bytes file, std::string* note, int later_bytes, bool has_colors)
     throw FileError("the file is damaged: it states two different sizes");
 
   const PixelOrder order = reader.order;
-  Image image = order.picture<Rgb8>(width, height);
   const stbi_uc* from = pixels.get();
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column, from += bytes)
-      order.at(image, column, row) = {from[0], from[1], from[2]};
-  }
+  Image image = order.picture(width, height, [&](int, int) {
+    const Rgb8 pixel{from[0], from[1], from[2]};
+    from += bytes;
+    return pixel;
+  });
   if (note != nullptr) {
     if (order != PixelOrder{}) add_note(*note, turned_by_exif);
     if (has_colors) add_note(*note, reader.profile);

@@ -20,7 +20,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "engine/files/color_profile.hpp"
@@ -214,16 +213,6 @@ void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb16* out, s
   }
 }
 
-template <class Pixel>
-Grid<Pixel> turned(const Grid<Pixel>& stored, const PixelOrder& order) {
-  Grid<Pixel> picture = order.picture<Pixel>(stored.width, stored.height);
-  for (int row = 0; row < stored.height; ++row) {
-    for (int column = 0; column < stored.width; ++column)
-      order.at(picture, column, row) = stored.at(column, row);
-  }
-  return picture;
-}
-
 // The picture in the parts of a file. `note`: transparent pixels are put over black, and noted.
 template <class Pixel>
 Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int later_bytes) {
@@ -288,7 +277,9 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
   }
   image.pixels.resize(area);
   if (shows_black) add_note(*note, "has transparent texels: they are drawn over black");
-  return png.order == PixelOrder{} ? std::move(image) : turned(image, png.order);
+  if (png.order == PixelOrder{}) return image;
+  return png.order.picture(image.width, image.height,
+                           [&](int column, int row) { return image.at(column, row); });
 }
 
 // What the user should know of colors that are not sRGB's.
