@@ -33,33 +33,25 @@ namespace {
 // A picture is stored as one pass, or as seven, each with every so many of its columns and rows.
 struct Pass {
   std::uint32_t first_column, first_row, column_step, row_step;
-};
-constexpr std::array<Pass, 1> whole_picture = {{{0, 0, 1, 1}}};
-constexpr std::array<Pass, 7> adam7 = {{{0, 0, 8, 8},
-                                        {4, 0, 8, 8},
-                                        {0, 4, 4, 8},
-                                        {2, 0, 4, 4},
-                                        {0, 2, 2, 4},
-                                        {1, 0, 2, 2},
-                                        {0, 1, 1, 2}}};
-
-std::span<const Pass> passes(const PngHeader& header) {
-  if (header.interlaced) return adam7;
-  return whole_picture;
-}
-
-struct PassSize {
-  std::size_t columns, rows, row_bytes;  // row_bytes without the byte of the filter
+  std::size_t columns = 0, rows = 0, row_bytes = 0;  // row_bytes without the byte of the filter
 };
 
-PassSize pass_size(const PngHeader& header, const Pass& pass) {
+std::vector<Pass> passes_of(const PngHeader& header) {
+  std::vector<Pass> passes = {{0, 0, 1, 1}};
+  if (header.interlaced) {  // Adam7
+    passes = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+              {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+  }
   const auto count = [](std::uint32_t size, std::uint32_t first, std::uint32_t step) {
     return size <= first ? 0 : (size - first + step - 1) / step;
   };
-  const std::size_t columns = count(header.size.width, pass.first_column, pass.column_step);
-  const std::size_t rows = count(header.size.height, pass.first_row, pass.row_step);
-  if (columns == 0) return {0, 0, 0};
-  return {columns, rows, (columns * header.channels * header.bit_depth + 7) / 8};
+  for (Pass& pass : passes) {
+    pass.columns = count(header.size.width, pass.first_column, pass.column_step);
+    if (pass.columns == 0) continue;  // and no rows
+    pass.rows = count(header.size.height, pass.first_row, pass.row_step);
+    pass.row_bytes = (pass.columns * header.channels * header.bit_depth + 7) / 8;
+  }
+  return passes;
 }
 
 // How many bytes a zlib stream unpacks to; -1 if it is damaged or they are too many.
@@ -225,11 +217,9 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
   }
   const Bytes compressed = joined.empty() ? png.compressed[0] : joined;
 
+  const std::vector<Pass> passes = passes_of(header);
   std::size_t promised = 0;
-  for (const Pass& pass : passes(header)) {
-    const PassSize size = pass_size(header, pass);
-    promised += size.rows * (1 + size.row_bytes);
-  }
+  for (const Pass& pass : passes) promised += pass.rows * (1 + pass.row_bytes);
   // One pass needs no memory of its own: its rows lie at the end of the picture's memory, and the
   // pixels of a row end before the next row begins.
   const std::size_t area = std::size_t{header.size.width} * header.size.height;
@@ -257,19 +247,18 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
       note != nullptr && (header.color_type >= 4 || !png.transparency.empty());
   bool shows_black = false;
   const std::size_t pixel = std::max(1U, header.channels * header.bit_depth / 8);
-  for (const Pass& pass : passes(header)) {
-    const PassSize size = pass_size(header, pass);
-    std::vector<std::uint8_t> row(size.row_bytes);
-    std::vector<std::uint8_t> above(size.row_bytes);
-    for (std::size_t r = 0; r < size.rows; ++r) {
-      std::copy_n(&rest[1], size.row_bytes, row.begin());
+  for (const Pass& pass : passes) {
+    std::vector<std::uint8_t> row(pass.row_bytes);
+    std::vector<std::uint8_t> above(pass.row_bytes);
+    for (std::size_t r = 0; r < pass.rows; ++r) {
+      std::copy_n(&rest[1], pass.row_bytes, row.begin());
       unfilter(rest[0], row, above, pixel);
-      rest = rest.subspan(1 + size.row_bytes);
+      rest = rest.subspan(1 + pass.row_bytes);
       Pixel* const first = &image.at(static_cast<int>(pass.first_column),
                                      static_cast<int>(pass.first_row + r * pass.row_step));
-      put_row(png, row, size.columns, first, pass.column_step);
+      put_row(png, row, pass.columns, first, pass.column_step);
       if constexpr (std::is_same_v<Pixel, Rgb8>) {
-        if (may_show_black && put_over_black(png, row, size.columns, first, pass.column_step))
+        if (may_show_black && put_over_black(png, row, pass.columns, first, pass.column_step))
           shows_black = true;
       }
       row.swap(above);
