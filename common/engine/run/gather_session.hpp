@@ -77,10 +77,9 @@ template <class Lesson>
   const KernelPlan plan = lesson.objects.empty()
                               ? KernelPlan{}
                               : plan_for(lesson.objects.front().paint, settings.budget, reads);
-  if (!settings.budget.is_exact() && is_float(settings.number) && !plan.floats_are_enough) {
-    throw UsageError(
-        "--budget: the rounding of float is larger than that: leave out --number, or allow more");
-  }
+  usage_error_if(
+      !settings.budget.is_exact() && is_float(settings.number) && !plan.floats_are_enough,
+      "--budget: the rounding of float is larger than that: leave out --number, or allow more");
   if (session.chosen.was_given("--budget")) session.chosen.say(plan.text);
   const bool float_packs = plan.floats_are_enough && !session.chosen.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
