@@ -126,6 +126,8 @@ function(learn_quickly target)
   endif()
 endfunction()
 
+file(GLOB ASSETS CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
+
 # draw_picture(NN_name [MAY_FAIL] [option ...]): the target draw_NN_name draws the chapter's picture
 # into the gallery, again only when the program or an asset has changed. MAY_FAIL: where the program
 # fails, the gallery goes on without its picture.
@@ -135,12 +137,11 @@ function(draw_picture name)
   if(ARG_MAY_FAIL)
     set(program "${CMAKE_COMMAND}" -P "${CMAKE_SOURCE_DIR}/common/tools/draw.cmake" "$<TARGET_FILE:${name}>")
   endif()
-  file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
   set(picture "${GALLERY}/${name}.png")
   add_custom_command(OUTPUT "${picture}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"
     COMMAND ${program} --out "${picture}" ${ARG_UNPARSED_ARGUMENTS}
-    DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
+    DEPENDS ${name} ${ASSETS} COMMENT "" VERBATIM)
   add_custom_target(draw_${name} DEPENDS "${picture}")
 endfunction()
 
@@ -164,7 +165,7 @@ endfunction()
 # add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...]
 # [DRAWN_WITH ...]): the program bin/NN_name from the sources in the chapter's folder, with main.cpp
 # in TEXMAP_CHAPTERS, and its picture.
-# ON names further libraries; `app` is always linked. SINGLE_NUMBERS: its lesson says in `about`
+# ON names further libraries; `run` is always linked. SINGLE_NUMBERS: its lesson says in `about`
 # that it does not run on packs. ALL_NUMBERS: it needs them all, also when it is built for learning.
 # `chapters_code` holds the further sources of all chapters, for programs that include lessons;
 # those of a chapter with PACKS, which link wide packs, are NN_name_code.
@@ -221,7 +222,7 @@ function(add_chapter name)
     list(POP_FRONT ARG_ALSO_DRAWS stem first_file)
     add_custom_command(OUTPUT "${GALLERY}/${first_file}"
       COMMAND ${name} --quiet --out "${GALLERY}/${stem}" ${ARG_ALSO_DRAWS}
-      DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
+      DEPENDS ${name} ${ASSETS} COMMENT "" VERBATIM)
     add_custom_target(draw_${name}_also DEPENDS "${GALLERY}/${first_file}")
     add_dependencies(draw_${name} draw_${name}_also)
   endif()

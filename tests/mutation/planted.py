@@ -33,17 +33,22 @@ class Fault:
         if missing or not self.old:
             sys.exit(f'[{name}] lacks {", ".join(sorted(missing)) or "the lines to change"}')
 
-    def plant(self, tree):
-        """Changes the file; returns its text from before."""
-        path = tree / self.fields['file']
-        text = path.read_text()
+    def place(self, text):
+        """Where a file's text has the lines."""
         # Lines are found whatever their indentation, so that a reformatted file is still
         # understood.
         pattern = r'\n[ \t]*'.join(re.escape(line.strip()) for line in self.old)
         found = list(re.finditer(pattern, text))
         if len(found) != 1:
             sys.exit(f'[{self.name}]: its lines are {len(found)} times in {self.fields["file"]}')
-        path.write_text(text[:found[0].start()] + '\n'.join(self.new) + text[found[0].end():])
+        return found[0].span()
+
+    def plant(self, tree):
+        """Changes the file; returns its text from before."""
+        path = tree / self.fields['file']
+        text = path.read_text()
+        start, end = self.place(text)
+        path.write_text(text[:start] + '\n'.join(self.new) + text[end:])
         return path, text
 
 
@@ -67,10 +72,16 @@ def main():
     parser.add_argument('names', nargs='*', help='faults to plant; without names, all of them')
     parser.add_argument('--jobs', type=int, default=2)
     parser.add_argument('--write', action='store_true', help='write docs/known_faults.md')
+    parser.add_argument('--check', action='store_true', help='only see that their lines are there')
     arguments = parser.parse_args()
     faults = faults_of(PROJECT / 'tests' / 'mutation' / 'planted.txt', ('found in', 'suite'))
     if arguments.names:
         faults = [fault for fault in faults if fault.name in arguments.names]
+    if arguments.check:
+        symptoms = faults_of(PROJECT / 'tests' / 'mutation' / 'symptoms.txt', ())
+        for fault in [*faults, *symptoms]:
+            fault.place((PROJECT / fault.fields['file']).read_text())
+        return
     tree = PROJECT / 'build' / 'planted' / 'tree'
     copy_project(tree)
     folder = tree.parent / 'build'
