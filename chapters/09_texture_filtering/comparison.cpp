@@ -105,6 +105,7 @@ void read_as(Texture& texture, const FilterFigures& figures) {
 
 std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
   const std::vector<FloorPixel> pixels = floor_pixels(scene, threads);
+  if (pixels.empty()) return {};
   std::vector<FilterFigures> all = {
       {Filter::nearest, 1, "nearest"},           {Filter::bilinear, 1, "bilinear"},
       {Filter::trilinear, 1, "trilinear"},       {Filter::anisotropic, 2, "anisotropic 2"},

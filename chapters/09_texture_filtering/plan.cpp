@@ -106,6 +106,8 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
 std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
                                          Chosen& chosen) {
   const Budget& budget = chosen.settings.budget;
+  usage_error_if(chosen.was_given("--plot") && (chosen.was_given("--filter") || !budget.is_exact()),
+                 "--plot compares all filters: leave out --filter and --budget");
   if (budget.is_exact()) return {};
   if (chosen.was_given("--filter"))
     throw UsageError("--budget chooses the filter: leave out --filter or --budget");

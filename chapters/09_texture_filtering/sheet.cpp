@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/compare/plot.hpp"
+#include "engine/files/save_png.hpp"
 #include "engine/files/sheet.hpp"
 #include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
@@ -55,13 +56,18 @@ SheetImage sheet_of_filters(const Session& session, const std::vector<FilterFigu
 
 void show_sheet(Session& session, const std::optional<FloorView>& floor, const std::string& plot,
                 const DrawFiltered& draw) {
-  if (!floor && !plot.empty())
-    throw UsageError("--plot shows errors on the floor: leave it out, or --scene globe");
+  const std::filesystem::path plotted = path_of(plot);
+  if (!plot.empty()) check_output(plotted);
   std::vector<FilterFigures> all;
   if (floor) all = compare_filters(*floor, session.settings.threads, !session.settings.quiet);
+  usage_error_if(all.empty() && !plot.empty(),
+                 "--plot shows errors on the floor: leave it out, or --scene globe");
   const Image sheet = sheet_of_filters(session, all, draw);
-  if (floor && !session.settings.quiet) print(table_of_filters(all));
-  if (!plot.empty()) write_text_atomically(plot, svg_of(plot_of_filters(all)));
+  if (!all.empty() && !session.settings.quiet) print(table_of_filters(all));
+  if (!plot.empty()) {
+    with_name("cannot write", plotted,
+              [&] { write_text_atomically(plotted, svg_of(plot_of_filters(all))); });
+  }
   session.save(sheet);
 }
 

@@ -58,8 +58,8 @@ std::string bound_of(double value) { return std::isinf(value) ? "no bound" : sho
 ///
 /// @param plain   white everywhere
 /// @param wanted  see convert_projection
-Image distortion_picture(Projection projection, int width, int height, bool plain = false,
-                         const PixelChoice& wanted = {}) {
+Image distortion_picture(Projection projection, int width, int height, int threads,
+                         bool plain = false, const PixelChoice& wanted = {}) {
   Image image(width, height, paper);
   const auto color_at = [&](double column, double row) {
     const Uv<double> uv{column / width, 1 - row / height};
@@ -68,7 +68,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
     if (in_small_circle(n) > 0) return dot_color;
     return plain ? Rgb{1, 1, 1} : area_color(distortion(projection, n).area);
   };
-  for_each_row(height, 0, {}, [&](int row) {
+  for_each_row(height, threads, {}, [&](int row) {
     for (int column = 0; column < width; ++column) {
       if (wanted && !wanted(column, row)) continue;
       // Away from the edges of circles the whole texel has one color, and one place is enough.
@@ -128,14 +128,15 @@ SheetImage sheet_of_projections(const Session& session, const SharedImage& pictu
     }
     panel.lay(unfolded);
     panel.top += gap;
-    panel.lay(distortion_picture(facts.projection, size.width, size.height, false, wanted));
+    panel.lay(distortion_picture(facts.projection, size.width, size.height,
+                                 session.settings.threads, false, wanted));
   }
 
   SheetColumn panel{sheet, 3 * cell + gap, second_row + gap, scale, line, 0};
   for (const char* words : {"circles on the globe", "blue: small texels", "red: large texels", ""})
     panel.write(words);
   const int side = std::max(1, cell - 2 * gap);
-  static const Image circles = distortion_picture(Projection::equirect, 1024, 512, true);
+  static const Image circles = distortion_picture(Projection::equirect, 1024, 512, 0, true);
   panel.lay(draw_globe(circles, side, side));
   return sheet;
 }

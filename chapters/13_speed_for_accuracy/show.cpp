@@ -188,7 +188,11 @@ void Lesson::draw_all(Session& session) {
   const auto is_own = [&](const Budget& each) { return to_text(each) == to_text(own); };
   if (std::none_of(budgets.begin(), budgets.end(), is_own)) budgets.push_back(own);
   const std::vector<std::filesystem::path> report = names_of_report(path_of(settings.out));
-  for (const std::filesystem::path& file : report) check_output(file);  // before anything long
+  for (const std::filesystem::path& file : report) {
+    usage_error_if(file == path_of(settings.out),
+                   "--out must not end in .json: that file gets what was measured");
+    check_output(file);  // before anything long
+  }
   const Globe globe(texture.load());
   const View<> view = view_of_sheet(globe, settings.width, settings.height);
 

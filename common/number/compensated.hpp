@@ -94,7 +94,8 @@ struct PowersOfTwo {
   }
 };
 
-/// The power of two that scales `size` > 0 into [1, 2); 1 for zero, NaN and infinities.
+/// The power of two that scales a normal `size` > 0 into [1, 2); for a subnormal one the largest
+/// that there is, 1 for zero, NaN and infinities.
 template <class Real>
 [[nodiscard]] Real power_of_two_scale(const Real& size) {
   using Limits = std::numeric_limits<Scalar<Real>>;

@@ -239,8 +239,8 @@ std::size_t pixels_off_by_more_than(const Figures& figures, int levels) {
 std::string differing_pixels(const Figures& f) {
   const std::size_t off = pixels_off_by_more_than(f, 1);
   const double percent = 100 * static_cast<double>(off) / static_cast<double>(f.pixels_compared);
-  return text("%zu of %zu pixels by more than one level (%.2g %%), %zu by one", off,
-              f.pixels_compared, percent, f.pixels_different - off);
+  return text("%zu of %zu pixels by more than one level (%.*g %%), %zu by one", off,
+              f.pixels_compared, percent < 99.5 ? 2 : 3, percent, f.pixels_different - off);
 }
 
 std::vector<std::vector<std::string>> figure_rows(const Figures& f) {

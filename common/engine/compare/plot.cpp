@@ -53,7 +53,8 @@ struct Axis {
   [[nodiscard]] double place(double value) const {
     return from + (to - from) * std::log10(value / low) / std::log10(high / low);
   }
-  /// Values to be marked: 1, 2 and 5 of each decade, or at most ten powers of ten.
+  /// Values to be marked: 1, 2 and 5 of each decade, or at most ten powers of ten; the ends if that
+  /// leaves one at most.
   [[nodiscard]] std::vector<double> ticks() const {
     std::vector<double> marked;
     const int first = static_cast<int>(std::floor(std::log10(low)));
@@ -66,6 +67,7 @@ struct Axis {
           marked.push_back(value);
       }
     }
+    if (marked.size() < 2) marked = {low, high};
     return marked;
   }
 };

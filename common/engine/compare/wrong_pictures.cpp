@@ -219,9 +219,10 @@ std::vector<WrongPicture> mistaken_maps(const Image& map, std::string_view names
       {"black", "black texture: the file was not loaded, and the program did not check",
        [&] { return Image(map.width, map.height); }},
   };
+  const std::string listed = " " + std::string(names) + " ";
   std::vector<WrongPicture> maps;
   for (const Row& row : rows) {
-    if (names.empty() || names.find(row.name) != names.npos)
+    if (names.empty() || listed.find(" " + std::string(row.name) + " ") != listed.npos)
       maps.push_back({row.name, row.words, row.draw()});
   }
   return maps;

@@ -42,9 +42,12 @@ std::string name_of_profile(Bytes profile) {
   return name.empty() ? "another color space" : name;
 }
 
-/// True if the bytes are light itself: the curve has no table, or the exponent 1.
+/// True if the bytes are light itself: the curve has no table, or the exponent 1, also as the
+/// parameter of a formula, "para".
 bool is_linear(Bytes profile) {
   const Bytes curve = tag_of(profile, "rTRC", 12);
+  if (curve.size() >= 16 && curve[0] == 'p')
+    return big_endian_16(curve, 8) == 0 && big_endian_32(curve, 12) == 0x10000;
   if (curve.empty() || curve[0] != 'c') return false;
   const std::uint32_t entries = big_endian_32(curve, 8);
   return entries == 0 || (entries == 1 && curve.size() >= 14 && big_endian_16(curve, 12) == 0x0100);

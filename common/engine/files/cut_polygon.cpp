@@ -66,6 +66,7 @@ class Clipper {
   // True if the triangles in `cuts` cover the polygon.
   bool clip(Cuts& cuts) {
     for (std::size_t i = 0, tried = 0; left_.size() > 2; i %= left_.size()) {
+      if (looks_ == 0 || --looks_ == 0) return false;
       const auto [before, after] = neighbors(i);
       const double area = turn(place(before), place(i), place(after));
       const bool is_straight = area == 0 && tried >= left_.size();  // the last to be tried
@@ -116,10 +117,11 @@ bool cut_polygon(std::vector<Point>& corners, Cuts& cuts, std::size_t& looks) {
   cuts.clear();
   flatten(corners);
   const bool is_fan = fan_covers(corners);
-  if (!is_fan && Clipper(corners, looks).clip(cuts)) return true;
-  cuts.clear();
+  const bool covered = is_fan || Clipper(corners, looks).clip(cuts);
+  if (covered && !cuts.empty()) return true;
+  cuts.clear();  // a fan, also of a polygon without an area
   for (std::size_t i = 2; i < corners.size(); ++i) cuts.push_back({0, i - 1, i});
-  return is_fan;
+  return covered;
 }
 
 }  // namespace texmap

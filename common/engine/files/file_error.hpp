@@ -6,6 +6,10 @@
 #include <string>
 #include <string_view>
 
+#ifdef _WIN32
+#include "engine/files/utf8.hpp"
+#endif
+
 namespace texmap {
 
 /// A file that cannot be read, understood or written. Functions that know its name say `cannot load
@@ -23,6 +27,11 @@ inline void add_note(std::string& note, std::string_view more) {
 
 /// The path that a user typed: UTF-8 on Windows, any bytes elsewhere.
 [[nodiscard]] inline std::filesystem::path path_of(std::string_view typed) {
+#ifdef _WIN32  // names of other systems in a file of the user's: a path must be UTF-8 here
+  std::string good;
+  while (!typed.empty()) append_utf8(good, take_character(typed));
+  typed = good;
+#endif
   return std::u8string(typed.begin(), typed.end());
 }
 

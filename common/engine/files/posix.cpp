@@ -206,7 +206,9 @@ std::filesystem::path program_folder() {
   if (readlink("/proc/self/exe", path.data(), path.size() - 1) <= 0)
     return file_of_call().parent_path();
 #endif
-  return std::filesystem::path(path.data()).parent_path();
+  std::error_code unknown;  // macOS may name a link
+  const std::filesystem::path real = std::filesystem::canonical(path.data(), unknown);
+  return (real.empty() ? std::filesystem::path(path.data()) : real).parent_path();
 }
 
 std::filesystem::path folder_in_environment(const char* variable) {

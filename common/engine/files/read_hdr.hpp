@@ -13,7 +13,7 @@ namespace texmap {
 inline constexpr double brightest_texel = 1e12;
 
 /// The light in a Radiance file that looks_like_hdr, divided by its EXPOSURE; flat, or with runs of
-/// the old or the new kind. Texels are the middles of their steps, as in Radiance's own reader.
+/// the old or the new kind. Texels are the middles of their steps; a byte 0 has no light.
 ///
 /// @param most_texels   more are refused before any is decoded
 /// Errors: FileError unless the picture is whole and RGBE; std::bad_alloc.

@@ -93,7 +93,7 @@ int index_of(std::string_view word, std::size_t entries, const char* what) {
 // A name with its blanks: from a word to the end of the line, or to a comment behind a blank.
 std::string_view name_from(std::string_view line, std::string_view word) {
   std::string_view name = line.substr(static_cast<std::size_t>(word.data() - line.data()));
-  name = name.substr(0, name.find(" #"));
+  name = name.substr(0, std::min(name.find(" #"), name.find("\t#")));
   while (is_blank(name.back())) name.remove_suffix(1);
   return name;
 }

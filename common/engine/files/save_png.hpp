@@ -39,7 +39,7 @@ void check_output(const std::filesystem::path& path);
 /// What saving a picture took, in milliseconds.
 struct SavingTime {
   double encode = 0;  ///< from pixels to the bytes of a PNG file
-  double write = 0;   ///< until the disk has them
+  double write = 0;   ///< until the system has them
 };
 
 /// Writes a picture as a PNG file of 8 bits a channel; the file is there as a whole or not at all.

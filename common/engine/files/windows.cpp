@@ -135,7 +135,8 @@ void rename_over(const std::filesystem::path& draft, const std::filesystem::path
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
   check_name(path);
   if (is_null_device(path)) throw FileError("it is a device, not a file");
-  if (std::filesystem::is_directory(path)) throw FileError("it is a folder, not a file");
+  std::error_code unknown;  // open_file says why
+  if (std::filesystem::is_directory(path, unknown)) throw FileError("it is a folder, not a file");
   const Handle file = open_file(path, GENERIC_READ, OPEN_EXISTING);
   if (!file) {
     const std::error_code error = last_error();

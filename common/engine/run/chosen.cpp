@@ -119,7 +119,8 @@ void Chosen::say(const std::string& text) const {
 
 void Chosen::note(const std::string& text) const { line_.note(text); }
 
-void Chosen::check() const {
+void Chosen::check() {
+  if (settings.out == "/dev/stdout") settings.quiet = true;  // else lines would be in the picture
   const bool double_alone = settings.number == NumberKind::double_ && settings.budget.is_exact();
   usage_error_if(
       one_number_ && (!double_alone || was_given("--instructions")),

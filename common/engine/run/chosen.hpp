@@ -69,8 +69,8 @@ class Chosen {
   /// The same about a file of the user's: a page shows it, too.
   void note(const std::string& text) const;
   /// Refuses what does not go together, pictures that are too large, and files that cannot be
-  /// written. Errors: UsageError, FileError.
-  void check() const;
+  /// written. A picture on the standard output is quiet. Errors: UsageError, FileError.
+  void check();
 
  private:
   void offer_numbers(Numbers numbers, std::string_view no_intervals);

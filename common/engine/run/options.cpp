@@ -174,8 +174,13 @@ void BumpOptions::declare(Offer& offer) {
 
 void BumpOptions::check(const Chosen& chosen) const {
   if (normals.empty()) {
-    return usage_error_if(chosen.was_given("--green"),
-                          "--green says how to read a normal map: give --normals FILE, too");
+    usage_error_if(chosen.was_given("--green"),
+                   "--green says how to read a normal map: give --normals FILE, too");
+    for (const std::string option : {"--relief", "--relief-from", "--relief-image"}) {
+      usage_error_if(picture != BumpPicture::globe && chosen.was_given(option),
+                     option + " is for the globe: leave out --show");
+    }
+    return;
   }
   for (const std::string option :
        {"--bump", "--slopes", "--step", "--relief", "--relief-from", "--relief-image"})

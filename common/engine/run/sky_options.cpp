@@ -103,12 +103,7 @@ SkyLight SkyOptions::load(const Chosen& user) {
       std::reverse(row, row + map.width);
   }
   const auto factor = static_cast<float>(pow(2.0, exposure));
-  for (Color<float>& texel : map.pixels) {
-    texel = texel * factor;
-    if (!(max(texel.r, max(texel.g, texel.b)) < infinity<float>()))
-      throw UsageError("--exposure " + shown(exposure) + " makes the light of '" + name +
-                       "' larger than a float holds: take a smaller one");
-  }
+  for (Color<float>& texel : map.pixels) texel = texel * factor;
   Environment picture(std::move(map), filter, degrees);
   if (picture.map().width % 2 != 0 && !picture.is_constant()) {
     throw FileError("cannot load texture '" + name + "': it is " +

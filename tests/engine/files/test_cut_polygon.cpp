@@ -100,5 +100,19 @@ TEST_CASE("a convex polygon is a fan; so is one that crosses itself or is too la
   }
 }
 
+TEST_CASE("a polygon without an area has as many triangles as another, and its looks are counted") {
+  Cuts cuts;
+  std::size_t looks = 100;
+  Polygon point = polygon_of({1, 1, 1, 1, 1, 1, 1, 1});
+  CHECK(cut_polygon(point, cuts, looks));
+  CHECK(cuts.size() == 2);
+  std::vector<double> back_and_forth;
+  for (int i = 0; i < 40; ++i) back_and_forth.insert(back_and_forth.end(), {i % 2 * 1.0, 0});
+  Polygon line = polygon_of(back_and_forth);
+  CHECK_FALSE(cut_polygon(line, cuts, looks));
+  CHECK(looks == 0);
+  CHECK(cuts.size() == 38);
+}
+
 }  // namespace
 }  // namespace texmap::test
