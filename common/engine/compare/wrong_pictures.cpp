@@ -219,10 +219,13 @@ std::vector<WrongPicture> mistaken_maps(const Image& map, std::string_view names
       {"black", "black texture: the file was not loaded, and the program did not check",
        [&] { return Image(map.width, map.height); }},
   };
-  const std::string listed = " " + std::string(names) + " ";
+  const auto in_blanks = [](std::string_view word) {
+    return std::string(" ").append(word).append(" ");
+  };
+  const std::string listed = in_blanks(names);
   std::vector<WrongPicture> maps;
   for (const Row& row : rows) {
-    if (names.empty() || listed.find(" " + std::string(row.name) + " ") != listed.npos)
+    if (names.empty() || listed.find(in_blanks(row.name)) != listed.npos)
       maps.push_back({row.name, row.words, row.draw()});
   }
   return maps;
