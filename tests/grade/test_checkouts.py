@@ -29,7 +29,7 @@ sys.dont_write_bytecode = True
 TREE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TREE / 'common/tools/grade'))
 import build_and_run  # noqa: E402
-from box import Boxes, Limits  # noqa: E402
+from box import Boxes, Ended, Limits  # noqa: E402
 from results import NOT_CONTAINED, GradeError  # noqa: E402
 
 ITEM = '01_plain_spheres'
@@ -494,6 +494,21 @@ class Judging(Case):
         golden.write_bytes(b'wrong')
         with self.assertRaises(GradeError):
             grader.expected(golden)
+
+    def test_a_picture_that_is_drawn_again_is_there_at_any_moment(self):
+        grader = build_and_run.Grader.__new__(build_and_run.Grader)
+        grader.options = mock.Mock(no_tests=True)
+        grader.course = mock.Mock(work=self.at, tree=self.at, chapters=self.at)
+        grader.course.folder.return_value = self.at / ITEM
+        grader.compile = lambda *_: Ended('ok', '', 0.0, '', b'program')
+        seen = []
+        grader.run = lambda *_: seen.append((self.at / 'place/hidden_picture.png').read_bytes())
+        (self.at / 'place').mkdir()
+        (self.at / 'place/hidden_picture.png').write_bytes(b'drawn before')
+        grader.judge(ITEM, {}, self.at / 'place', None)
+        self.assertEqual(seen, [b'drawn before'])
+        self.assertEqual(sorted(os.listdir(self.at / 'place')),
+                         ['hidden_picture.png', 'verdict.json'])
 
     def test_a_note_says_of_a_failed_test_its_name_and_what_is_and_should_be(self):
         rule = '=' * 79

@@ -56,6 +56,13 @@ def digest(*pieces):
                                      for piece in pieces)).hexdigest()
 
 
+def replace(path, data):
+    """Writes a file all at once."""
+    part = path.with_suffix('.part')
+    part.write_bytes(data)
+    os.replace(part, path)
+
+
 def sources_in(folder, most=MOST_FILES):
     """The C++ files of a chapter, or of a folder: so many regular files of moderate size, no links.
     By name, with their bytes."""
@@ -494,7 +501,8 @@ class Grader:
 
     def judge(self, item, files, place, course):
         """Builds, draws, draws the hidden picture, tests. `course` is the verdict on the course's
-        own lesson, None for that one."""
+        own lesson, None for that one. What others may be reading there is replaced at once."""
+        place.mkdir(exist_ok=True)
         with tempfile.TemporaryDirectory(dir=self.course.work) as private:
             sources = Path(private) / self.course.folder(item).relative_to(self.course.chapters)
             sources.mkdir(parents=True)
@@ -514,8 +522,6 @@ class Grader:
                 program = Path(private) / 'program'
                 program.write_bytes(built.product)
                 program.chmod(0o755)
-                shutil.rmtree(place, ignore_errors=True)
-                place.mkdir()
                 if is_exercise(item):
                     self.check(item, program, course, result)
                     suspect = sorted({word.decode() for text in files.values()
@@ -528,9 +534,7 @@ class Grader:
                     if not self.options.no_tests:
                         self.test(item, sources, files, course, result)
                 result['note'] = clean(result['note'])
-        place.mkdir(exist_ok=True)
-        (place / 'verdict.part').write_text(json.dumps(result))
-        os.replace(place / 'verdict.part', place / 'verdict.json')
+        replace(place / 'verdict.json', json.dumps(result).encode())
         return result
 
     def run(self, item, program, place, course, result):
@@ -561,7 +565,7 @@ class Grader:
             elif how.startswith('failed') and ended.log.strip():
                 why = ended.log.strip().splitlines()[0][:200]
             if how in ('ok', 'left processes') and ended.product:
-                (place / f'{name}.png').write_bytes(ended.product)
+                replace(place / f'{name}.png', ended.product)
                 result[name] = str(place / f'{name}.png')
             result['cpu'][name] = ended.cpu
             if name == 'picture':
