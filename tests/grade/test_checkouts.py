@@ -184,7 +184,9 @@ class Chapters(Case):
         private = self.student('private', lesson=MINE + '// for me alone\n')
         for path in [private, *private.rglob('*')]:
             path.chmod(0o700 if path.is_dir() else 0o600)
-        self.student('untouched')
+        beside = self.student('untouched')
+        (beside / 'lesson_old.hpp').write_text(MINE)
+        (beside / '._lesson.hpp').write_bytes(b'\0')
         self.student('same', lesson=MINE.replace('\n', ' // the same\n', 3),
                      at='texmap-main/chapters')
         self.student('dark', lesson=LESSON.replace(COLOR, COLOR + '    return {};\n'))

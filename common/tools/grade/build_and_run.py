@@ -64,8 +64,8 @@ def replace(path, data):
 
 
 def sources_in(folder, most=MOST_FILES):
-    """The C++ files of a chapter, or of a folder: so many regular files of moderate size, no links.
-    By name, with their bytes."""
+    """The C++ files of a chapter, or of a folder: so many regular files of moderate size, no links,
+    and none that is hidden, as Apple's ._lesson.hpp. By name, with their bytes."""
     found = {}
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders
@@ -73,7 +73,7 @@ def sources_in(folder, most=MOST_FILES):
         for name in sorted(names):
             path = os.path.join(parent, name)
             status = os.lstat(path)
-            if name.endswith(SUFFIXES) and stat.S_ISREG(
+            if name.endswith(SUFFIXES) and name[0] != '.' and stat.S_ISREG(
                 status.st_mode) and status.st_size < MOST_FILE_BYTES and len(found) < most:
                 found[os.path.relpath(path, folder)] = Path(path).read_bytes()
     return found
@@ -396,7 +396,9 @@ class Grader:
             return {'build': 'missing', 'note': why}
         files = own | found
         written = self.written(item, files)
-        if written == self.written(item, self.course.handed_out(item)):
+        # whatever else lies beside them
+        if self.written(item, {name: files[name] for name in own}) == self.written(
+            item, self.course.handed_out(item)):
             return {'build': 'unchanged',
                     'note': 'what was handed out, but for blanks and comments'}
         key = self.key(item, files)
