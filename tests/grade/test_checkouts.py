@@ -292,7 +292,7 @@ class Exercises(Case):
         start = subprocess.run(['sh', 'common/tools/check/check.sh', 'start', '02.1'], cwd=TREE,
                                capture_output=True, text=True, check=True)
         right = solution + '// right, and names _exit\n'
-        for name, text in {'right': right, 'capital': right, 'bare': right,
+        for name, text in {'right': right, 'capital': right, 'bare': right, 'copies': start.stdout,
                            'mirrored': solution.replace('atan2(-p.z', 'atan2(p.z'),
                            'start': start.stdout, 'broken': 'this does not compile\n',
                            'ends': f'#include <unistd.h>\n{solution}const int ended = [] {{ '
@@ -308,12 +308,16 @@ class Exercises(Case):
             file = self.at / 'class' / name / chapters / '02_checkerboard_uv/exercises/1_mine.hpp'
             file.parent.mkdir(parents=True)
             file.write_text(text)
+        own = self.at / 'class/copies/chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp'
+        own.write_text(right)
         rows = self.grade('--chapters', '02.2,2.1', '--seconds', '2', '--format', 'gradescope')
         judged = {name: rows.pop(name) for name in list(rows) if isinstance(name, str)}
         self.assertEqual({row['verdict'] for row in rows.values()}, {'missing'})  # nobody has 02.2
         read = '^read this file: it has _exit, which no exercise needs$'
         self.expect(judged, {
             **{name: ('ok', 'ok', '', read) for name in ('right', 'capital', 'bare')},
+            'copies': ('ok', 'ok', '',
+                       f'{read[:-1]}; .*/{own.name} is graded, and not .*/1_mine.hpp$'),
             'mirrored': ('ok', 'u runs the other way', '', r'^u runs the other way: your map is '
                                                            r'mirrored; tried: on \+z'),
             'start': ('unchanged', 'unchanged', '', '^what was'),
@@ -325,7 +329,7 @@ class Exercises(Case):
             'values': ('ok', 'no verdict|u is the same everywhere', '', '.*')})
         tests = json.loads((self.out / 'mirrored.results.json').read_text())['tests']
         self.assertEqual([test['number'] for test in tests], ['2.E1', '2.E2'])
-        self.assertIn('3 right<br>', (self.out / 'index.html').read_text())
+        self.assertIn('4 right<br>', (self.out / 'index.html').read_text())
         self.assertIn('there is no chapters/02_checkerboard_uv/exercises/2_a_walk_on_the_map.hpp',
                       (self.out / 'right.html').read_text())
 

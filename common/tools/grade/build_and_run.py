@@ -89,15 +89,15 @@ def chapters_in(folder):
     return inner if os.path.lexists(inner) else Path(folder)
 
 
-def exercise_in(folder, item):
-    """The folder of a student's file of an exercise, which is found by its number; its name and its
-    bytes. Links are not followed."""
-    for at in sorted(chapters_in(folder).glob(f'{item[:2]}_*/exercises')):
-        if not any(os.path.islink(place) for place in (at, at.parent, at.parent.parent)):
-            for name, text in sources_in(at).items():
-                if re.fullmatch(item[3] + r'_[^/]*\.hpp', name):
-                    return at, name, text
-    return None
+def exercises_in(folder, item, shipped=''):
+    """The files of an exercise, which are found by its number, that of the shipped name first: of
+    each the folder, its name and its bytes. Links are not followed."""
+    found = [(at, name, text)
+             for at in sorted(chapters_in(folder).glob(f'{item[:2]}_*/exercises'))
+             if not any(os.path.islink(place) for place in (at, at.parent, at.parent.parent))
+             for name, text in sources_in(at).items()
+             if re.fullmatch(item[3] + r'_[^/]*\.hpp', name)]
+    return sorted(found, key=lambda file: file[1] != shipped)
 
 
 def run_to_end(command, stopping, **streams):
@@ -180,10 +180,10 @@ class Course:
 
     def folder(self, item):
         """Where the course's own lesson is, or its own file of an exercise."""
-        return exercise_in(self.tree, item)[0] if is_exercise(item) else self.chapters / item
+        return exercises_in(self.tree, item)[0][0] if is_exercise(item) else self.chapters / item
 
     def has(self, item):
-        return exercise_in(self.tree, item) is not None if is_exercise(item) else (
+        return bool(exercises_in(self.tree, item)) if is_exercise(item) else (
             self.chapters / item / 'lesson.hpp').is_file()
 
     def own(self, item):
@@ -192,7 +192,7 @@ class Course:
         if not is_exercise(item):
             return sources_in(self.chapters / item)
         solution = self.tests / 'exercises' / f'{item.replace(".", "_")}.hpp'
-        return {exercise_in(self.tree, item)[1]: solution.read_bytes()}
+        return {exercises_in(self.tree, item)[0][1]: solution.read_bytes()}
 
     @functools.cache
     def handed_out(self, item):
@@ -201,7 +201,7 @@ class Course:
             return self.own(item)
         start = subprocess.run(['sh', 'common/tools/check/check.sh', 'start', item], cwd=self.tree,
                                capture_output=True, check=True)
-        return {exercise_in(self.tree, item)[1]: start.stdout}
+        return {exercises_in(self.tree, item)[0][1]: start.stdout}
 
     def link(self, item):
         """The command that links the item's program, with whole paths and without -o."""
@@ -378,8 +378,8 @@ class Grader:
         """What is known of a student's chapter or exercise."""
         own = self.course.own(item)
         if is_exercise(item):
-            file = exercise_in(folder, item)
-            found = {next(iter(own)): file[2]} if file else {}
+            files = exercises_in(folder, item, next(iter(own)))
+            found = {next(iter(own)): text for *_, text in files[:1]}
             needed = str((self.course.folder(item) / next(iter(own))).relative_to(self.course.tree))
         else:
             at = chapters_in(folder) / item
@@ -648,6 +648,11 @@ class Grader:
     def result(self, item, folder):
         """What became of a student's chapter or exercise."""
         result = self.verdict(item, folder)
+        files = exercises_in(folder, item, next(iter(self.course.own(item)))) if is_exercise(
+            item) else []
+        if files[1:]:
+            shown = [str((at / name).relative_to(folder)) for at, name, _ in files[:2]]
+            result['note'] += '; ' * bool(result['note']) + ' is graded, and not '.join(shown)
         for picture in (self.course.tree / 'tests' / 'golden' / f'{item}.png',
                         result.get('hidden_expected')):
             if picture:
