@@ -695,6 +695,18 @@ class Runs(Course):
             self.grade('--chapters', '3', '--format', name, 'class')
             self.assertTrue((self.at / 'out' / f'bob.{file}').exists())
 
+    def test_the_zip_for_gradescope_has_the_course_and_nothing_beside_it(self):
+        parts = ('assets/a chapters/a docs/a tests/a course CMakeLists.txt CMakePresets.json '
+                 'LICENSE README.md vcpkg.json').split()
+        self.put({f'course/{name}': '' for name in [*parts, 'students/ada/03.png', 'class.csv']})
+        shutil.copytree(GRADE, self.at / 'course/common/tools/grade')
+        subprocess.run(['sh', self.at / 'course/common/tools/grade/autograder.sh', 'made.zip'],
+                       cwd=self.at, capture_output=True, check=True)
+        with zipfile.ZipFile(self.at / 'made.zip') as made:
+            names = {'/'.join(name.split('/')[:2]) for name in made.namelist()} - {'course/'}
+        self.assertEqual(names, {'run_autograder', 'setup.sh', 'course/common'} | {
+            f'course/{name.partition("/")[0]}' for name in parts})
+
     def test_one_run_at_a_time_uses_a_folder(self):
         self.put({'class/ada/chapters/03_image_texture/lesson.hpp': '', 'class/bob/03.png': RIGHT})
         for folder, words in {'out': ['class/bob'], 'work': ['class']}.items():

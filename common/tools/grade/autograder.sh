@@ -1,6 +1,7 @@
 #!/bin/sh
 # Makes the zip that Gradescope takes as an autograder: autograder.sh FILE.zip
-# It holds setup.sh, run_autograder and, in course/, this checkout without what was built.
+# It holds setup.sh, run_autograder and, in course/, this course: what it is built from, and nothing
+# that lies beside it, such as students' work.
 set -eu
 tree=$(cd "$(dirname "$0")/../../.." && pwd)
 [ $# -eq 1 ] || {
@@ -12,8 +13,9 @@ zip=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 work=$(mktemp -d "${TMPDIR:-/tmp}/texmap-autograder-XXXXXX")
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/course"
-for part in "$tree"/*; do
-  case ${part##*/} in build | out) ;; *) cp -R "$part" "$work/course/" ;; esac
+for part in assets chapters common course docs tests \
+  CMakeLists.txt CMakePresets.json LICENSE README.md vcpkg.json; do
+  cp -R "$tree/$part" "$work/course/"
 done
 cp "$tree/common/tools/grade/gradescope/setup.sh" "$tree/common/tools/grade/gradescope/run_autograder" "$work/"
 chmod +x "$work/setup.sh" "$work/run_autograder"
