@@ -501,6 +501,10 @@ class Judging(Case):
         with self.assertRaises(GradeError):
             grader.expected(golden)
 
+    def test_the_course_may_lie_in_a_folder_with_blanks(self):
+        text = "a\\ b/main.cpp.o: o'b/a\\ b/c\\#.cpp \\\n  /usr/x.hpp\n"
+        self.assertEqual(build_and_run.dependencies(text), ["o'b/a b/c#.cpp", '/usr/x.hpp'])
+
     def test_a_picture_that_is_drawn_again_is_there_at_any_moment(self):
         grader = build_and_run.Grader.__new__(build_and_run.Grader)
         grader.options = mock.Mock(no_tests=True)

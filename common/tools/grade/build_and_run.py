@@ -89,6 +89,12 @@ def chapters_in(folder):
     return inner if os.path.lexists(inner) else Path(folder)
 
 
+def dependencies(text):
+    """The files that a compiler's .d file names: blanks in a name have a backslash in front."""
+    words = re.split(r'(?<!\\)\s+', text.replace('\\\n', ' ').strip())[1:]
+    return [re.sub(r'\\([ #])|\$(\$)', r'\1\2', word) for word in words]
+
+
 def exercises_in(folder, item, shipped=''):
     """The files of an exercise, which are found by its number, that of the shipped name first: of
     each the folder, its name and its bytes. Links are not followed."""
@@ -154,9 +160,9 @@ class Course:
                 # it is not compiled for the course, and always for a student
                 read = [entry['file']]
             elif item in self.units and '/chapters/CMakeFiles/' in made:
-                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()[1:]
                 # ccache writes them relative
-                read = [os.path.normpath(os.path.join(entry['directory'], name)) for name in read]
+                read = [os.path.normpath(os.path.join(entry['directory'], name))
+                        for name in dependencies(Path(made + '.d').read_text())]
                 if entry['file'] not in read:
                     raise GradeError(f'{made}.d does not name {entry["file"]}: what has to be '
                                      'compiled again is not known')
