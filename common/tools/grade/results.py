@@ -1,5 +1,7 @@
 """What grading finds out, and how it is written: text made safe, tables, files for learning
 systems."""
+from __future__ import annotations  # for Python 3.9
+
 import dataclasses
 import html
 import itertools
