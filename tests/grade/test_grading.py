@@ -255,6 +255,8 @@ class Folders(Course):
                 ('ada/03.png bob/03.png 03_expected.png', 'class', 'ada bob', nobodys),
                 ('ada/03.png bob/03.png 03_expected.png', '--one class', 'class', ''),
                 ('ada/03.png', 'class', 'ada', ''), ('ada/03.png', '--class class', 'ada', ''),
+                ('ada/03.png ada.zip bob/03.png', 'class/ada/ class/ada.zip class/bob', 'ada bob',
+                 ''),
                 # sections of a course, and what is none
                 (sections := 'A/ada/03.png A/bob/03.png B/eve/03.png B/jo/03.png C/li/03.png',
                  'class', 'ada bob eve jo li', 'class is graded as a folder of classes; --class '

@@ -251,6 +251,13 @@ def entry_of(path, is_named=False):
     return Entry(name, path, is_folder, is_link)
 
 
+def without_unpacked(paths):
+    """Without archives that lie next to what was unpacked from them."""
+    there = set(map(os.path.normpath, paths))
+    return [path for path in paths if not (
+        ARCHIVE.search(path) and os.path.normpath(ARCHIVE.sub('', path)) in there)]
+
+
 def entries_of(folder):
     """The entries of a folder in the order of their names; none if it may not be read."""
     try:
@@ -258,9 +265,7 @@ def entries_of(folder):
             paths = [entry.path for entry, _ in zip(found, range(MOST_ENTRIES))]
     except OSError:
         return []
-    there = set(paths)  # an archive next to what was unpacked from it is not read again
-    return [entry_of(path) for path in sorted(paths, key=os.fsencode)
-            if not (ARCHIVE.search(path) and ARCHIVE.sub('', path) in there)]
+    return [entry_of(path) for path in without_unpacked(sorted(paths, key=os.fsencode))]
 
 
 def is_passed_over(name):
@@ -712,6 +717,7 @@ def find_submissions(paths, chapters, one=False, each=False):
     """The submissions in the folders, archives and files that were named, and what is to be said
     of them. Chapters: a Chapters, or the items that are asked for."""
     chapters = chapters if isinstance(chapters, Chapters) else Chapters(chapters, chapters)
+    paths = without_unpacked(paths)
     top = {path: entry_of(os.path.realpath(path), True) for path in paths}
     # Of a single folder the name says nothing, but for Moodle's.
     several = [one for one in top.values() if len(top) > 1 or not one.is_folder
