@@ -893,6 +893,9 @@ class Results(unittest.TestCase):
             self.assertEqual([int(suite.getAttribute(name))
                               for name in ('tests', 'failures', 'errors')], counts)
         self.assertNotIn('\x1b', junit_xml(evil))
+        evil.rows[0].item = Item(GLOBE.name, '03', worth=0.0)  # wrong, and worth nothing
+        self.assertEqual((evil.of, evil.rows[0].right), (0, False))
+        self.assertEqual(json.loads(classroom_json(evil))['status'], 'fail')
         evil.rows[0].containment = 'none'
         self.assertTrue(json.loads(gradescope_json(evil))['output'].startswith('NOT CONTAINED'))
 

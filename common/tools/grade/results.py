@@ -188,7 +188,7 @@ class Row:
 
     @property
     def right(self):
-        return self.points >= self.of
+        return all(self.parts) if self.by_hand is None else self.points >= self.of
 
 
 @dataclasses.dataclass
@@ -314,13 +314,10 @@ class Test:
     file: str  # in the student's checkout
     points: float
     of: float
+    passed: bool
     broken: bool  # the program could not be built
     message: str  # why it failed
     seconds: float
-
-    @property
-    def passed(self):
-        return self.points >= self.of
 
 
 def why_of_tests(row):
@@ -347,7 +344,8 @@ def tests_of(student):
         for (what, place, message), share in zip(made, parts):
             tests.append(Test(f'{item.name}: {what}', place, item.name,
                               item.exercise or f'chapters/{item.name}/lesson.hpp',
-                              number(of * share), number(of), row.build == 'does not build',
+                              number(of * share), number(of), share >= 1,
+                              row.build == 'does not build',
                               '' if share >= 1 else clean_lines(message), seconds))
             seconds = 0.0  # counted once
     return tests
