@@ -566,6 +566,10 @@ for name; do :; done
                 (['王小明/03.png', 'ada/03.png'],
                  '姓,名,学号\n王,小明,9\n'.encode('gb18030'), '',
                  '王小明 9; ada '),
+                # of two whose ids are not in the list, one's line has none and the other's another
+                ([flat.format('Jane Doe', 7), flat.format('Roe Max', 8), flat.format('Li Zoë', 9)],
+                 'Name,ID\nJane Doe,7\nMax Roe,\nZoë Li,5\n', '',
+                 'Jane Doe 7; Max Roe 8; Li Zoë 9'),
                 (['ada b/03.png'], 'Nachname, Vorname;ID\n"B, Ada";1\nC, Jo;2\n', '', 'Ada B 1'),
                 (['ada/03.png'], 'Name\n' + 'x' * 200000, '', 'has: . Heads'),
                 (['ada/03.png'], 'Matrikel,Wer\n1,ada\n', '', 'has: Matrikel, Wer. Heads such as '),

@@ -180,12 +180,15 @@ def join_class_list(path, submissions, chapters, columns=''):
     taken = [person for found in joined.values() for person in found]
     for step in ('id', 'name'):
         for one in submissions:
-            free = [person for person in by_name[one] if person not in taken]
+            # whose id is not in the list is in no line with another one
+            is_other = one.id and has_ids and sum(agree)
+            free = [person for person in by_name[one] if person not in taken
+                    and not (is_other and person.ids)]
             if joined.get(one):
                 continue
             if step == 'id' and has_ids:
                 joined[one] = by_id[one][:1]
-            elif step == 'name' and not (one.id and has_ids and sum(agree)):
+            elif step == 'name':
                 rivals = [other for other in submissions
                           if {*free} & {*by_name[other]} and not joined.get(other)]
                 joined[one] = free if len(free) == 1 and rivals == [one] else []
