@@ -519,9 +519,14 @@ for name; do :; done
         for words, why in {
             '--class-list class.csv class.zip': 'class.csv: no line names the columns id or name '
                                                 'or last first',
-            'class.zip': 'overrides.csv, line 2: no student is nobody'}.items():
+            '--overrides out/overrides.csv class.zip':
+                'overrides.csv, line 2: no student is nobody'}.items():
             self.grade('--chapters', '3', *words.split(), status=2)
             self.assertIn(why, self.ended.stderr)
+        # the class's own table is there when some of its students are graded, too
+        self.grade('--chapters', '3', 'class.zip')
+        self.assertIn('overrides.csv: who is not graded in this run: nobody (line 2)\n',
+                      self.ended.stderr)
 
     def test_class_lists_of_all_systems_are_joined(self):
         flat = '{}_{}_assignsubmission_file_03.png'

@@ -257,7 +257,8 @@ class Grading:
                          for one, page in zip(self.submissions, pages)]
         overrides = Path(self.options.overrides or self.out / 'overrides.csv')
         if self.options.overrides or overrides.exists():
-            people.read_overrides(overrides, self.students, self.items)
+            say(people.read_overrides(overrides, self.students, self.items,
+                                      is_for_all=not self.options.overrides))
         self.has_checkouts = any(submission.checkout for submission in self.submissions)
 
     def compare(self, row, picture):

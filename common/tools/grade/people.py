@@ -221,18 +221,23 @@ def join_class_list(path, submissions, chapters, columns=''):
         'handed in nothing': nothing}.items() if found], alarm
 
 
-def read_overrides(path, students, items):
+def read_overrides(path, students, items, is_for_all):
     """Sets the points that an instructor wrote into a table: of a chapter or an exercise, or of all
-    if that column is empty."""
+    if that column is empty. Says who is not among the students, if the table is for all runs."""
+    absent = []
     for line in lines_of(path, ['name points', 'id points', 'last first points']):
         where = f'{clean(str(path))}, line {line.number}: '
         who = {nfc(word).casefold() for word in (line.cell('name'), line.person) if word} | line.ids
         found = [student for student in students if who & {
             nfc(word).casefold()
             for word in (student.folder, student.name, student.id, student.person) if word}]
+        name = line.cell('name') or line.person or line.cell('id')
+        if not found and is_for_all:
+            absent.append(f'{name} (line {line.number})')
+            continue
         if len(found) != 1:
             raise GradeError(f"{where}{'no student is' if not found else 'several students are'} "
-                             f"{line.cell('name') or line.cell('id')}")
+                             f"{name}")
         chapter, points = line.cell('chapter'), line.cell('points').replace(',', '.')
         if not re.fullmatch(r'\d{1,4}(\.\d+)?', points):
             raise GradeError(f"{where}'{points}' is no number of points")
@@ -240,3 +245,6 @@ def read_overrides(path, students, items):
         if chapter and not places:
             continue  # of another run
         found[0].by_hand[places[0].name if places else ''] = (float(points), line.cell('note'))
+    more = f' and {len(absent) - 3} more' if absent[3:] else ''
+    return (f"{clean(str(path))}: who is not graded in this run: {', '.join(absent[:3])}{more}\n"
+            if absent else '')
