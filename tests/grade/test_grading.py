@@ -18,6 +18,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import threading
 import time
 import unicodedata
 import unittest
@@ -33,9 +34,9 @@ sys.path.insert(0, str(GRADE))
 import class_pages  # noqa: E402
 import pictures  # noqa: E402
 from results import (  # noqa: E402
-    NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean, csv_cell,
-    first_word, gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv, shown_name,
-    with_word)
+    NOT_CONTAINED, GradeError, Item, Row, Student, classroom_json, classroom_notices, clean,
+    csv_cell, first_word, gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv,
+    shown_name, with_word)
 from submissions import find_submissions, unpacked  # noqa: E402
 
 GLOBE, SHEET = Item('03_image_texture', '03', 'golden'), Item('04_uv_conventions', '04', 'golden')
@@ -764,6 +765,17 @@ while byte := os.read(0, 1):
         self.assertEqual(list(self.rows()), [('ada', '03')])
         self.assertIn('<p>1 student graded of 2: the run was ended before the others',
                       self.text('index.html'))
+
+    def test_a_judge_that_has_ended_is_no_broken_pipe(self):
+        judge = pictures.Pictures(self.at / 'bin', threading.Event())
+        judge.process.kill()
+        judge.process.wait()
+        with self.assertRaisesRegex(GradeError, 'judge_pictures, has ended'):
+            judge.compare('a', 'b')
+        judge.stopping.set()  # as Ctrl-C does
+        with self.assertRaises(KeyboardInterrupt):
+            judge.compare('a', 'b')
+        judge.process.communicate()
 
 
 class Results(unittest.TestCase):

@@ -436,6 +436,8 @@ def main():
     grading = Grading(*command_line())
     try:
         grading.run()
+    except KeyboardInterrupt:
+        pass  # before anything was graded
     except (GradeError, OSError) as error:
         grading.progress('')
         say(f'error: {results.clean_lines(str(error))}\n')

@@ -1,4 +1,5 @@
 """The program judge_pictures, which this one asks about pictures."""
+import contextlib
 import json
 import os
 import struct
@@ -43,6 +44,7 @@ class Pictures:
 
     def compare(self, picture, golden):
         """What there is to say of a chapter's picture."""
-        self.process.stdin.write(b''.join(os.fsencode(word) + b'\0' for word in (picture, golden)))
-        self.process.stdin.flush()
+        words = b''.join(os.fsencode(word) + b'\0' for word in (picture, golden))
+        with contextlib.suppress(BrokenPipeError):  # that there is no answer says why
+            self.process.stdin.raw.write(words)
         return self.answer()
