@@ -10,4 +10,4 @@ cmake --preset learn || { # older images have an older cmake than the course nee
   pip3 install --upgrade cmake
   cmake --preset learn
 }
-cmake --build build/learn --target judge_pictures --parallel
+cmake --build build/learn --target judge_pictures --parallel "$(nproc)"
