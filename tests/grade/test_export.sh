@@ -36,6 +36,18 @@ says 0 "chapters 00, 03, 06" "$root/course" export --chapters 00,03,06 gaps
   fail "gaps: a suite is left out"
 (cd gaps && ctest --preset learn -R '^test_0[036]_') >>build.log || fail "gaps: a test fails"
 says 2 "not empty" "$root/course" export --chapters 00-05 kit
+# What an editor or somebody left beside the files stays there.
+mkdir own
+for part in assets chapters common course docs tests CMakeLists.txt CMakePresets.json README.md; do
+  cp -R "$root/$part" own/
+done
+for name in 1_where_on_the_map.hpp~ 1_mine.hpp 2_a_walk_on_the_map.hpp.orig .3_bricks.hpp.swp; do
+  echo mine >"own/chapters/02_checkerboard_uv/exercises/$name"
+done
+says 0 "with 3 exercises" own/course export --chapters 02 mine
+[ "$(ls -A mine/chapters/02_checkerboard_uv/exercises)" = "$(ls kit/chapters/02_checkerboard_uv/exercises)" ] ||
+  fail "an editor's copy of an answer is in the copy"
+rm -r own
 cd kit
 ! grep -rlE '^ *// solution$|<summary>Answer' tests chapters || fail "a solution or an answer is in the copy"
 [ -z "$(find . -name '*06_*' -o -name teaching.md)" ] || fail "what should not be there is in the copy"

@@ -32,6 +32,7 @@ KEPT = """
     !common/tools/diagrams/* !common/tools/export/*
     !common/tools/grade/* !common/tools/pages/*
     !common/tools/playground/* common/tools/playground/live.js common/tools/playground/live.css
+    !*~ !*.orig !*.rej !*.bak !*.sw? !*/.* !*/#*
 """.split()
 PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
 OF_CHAPTER = re.compile(
@@ -108,6 +109,12 @@ def export(root, folder, chosen):
     kept = {path for path in files_in(root) if is_kept(path, chosen)}
     pages = {path: (root / path).read_text(encoding='utf-8') for path in sorted(kept)
              if path.endswith('.md')}
+
+    def is_somebodys(path):  # an exercise that its chapter's page does not name
+        chapter, _, name = path.partition('/exercises/')
+        return path.startswith('chapters/') and name and name not in pages.get(
+            f'{chapter}/README.md', name)
+    kept = {path for path in kept if not is_somebodys(path)}
     for path, text in pages.items():
         pages[path] = text = ANSWER.sub('\n', text)
         for url in [link[3]
