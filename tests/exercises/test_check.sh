@@ -103,6 +103,10 @@ holds "all of them" grep -q SYNTAX out/exercises/02.1/before_reset_*.hpp
 expect "a reset of a start keeps nothing" 0 "$first is as it was" reset 02.1
 holds "one file is kept" [ "$(find out/exercises/02.1 -name 'before_reset_*' | grep -c .)" = 1 ]
 
+cp "$first" "$folder/1_where copy.hpp"
+expect "a second file" 2 "two files of exercise 02.1: $folder/1_where copy.hpp, $first; move one away" 02.1
+rm "$folder/1_where copy.hpp"
+
 echo "// CRASH" >>"$first"
 expect "a crash" 1 "your function crashed (status 139)" 02.1
 sh "$script" reset 02.1 >/dev/null

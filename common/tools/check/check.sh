@@ -44,16 +44,21 @@ title_of() { sed -n '1s/^[^:]*: //p' "$(whole_of "$1")"; }
 # head_of ID: how a line about it begins.
 head_of() { printf '%s  %s' "$1" "$(title_of "$1" | sed 's/[^?]$/&:/')"; }
 
-# name_of ID: sets file to the student's file, or to the name it should have if it is gone. Stops if there is no such exercise.
+# name_of ID: sets file to the student's file, or to the name it should have if it is gone. Stops if there is no such exercise,
+# or a second file of it.
 name_of() {
   case "$1" in
     [0-9][0-9].[0-9]) ;;
     *) wrong "'$1' is no exercise; ./course check lists them" ;;
   esac
   [ -f "$(whole_of "$1")" ] || wrong "there is no exercise '$1'; ./course check lists them"
-  for file in chapters/"${1%.*}"_*/exercises/"${1#*.}"_*.hpp; do
-    [ ! -f "$file" ] || return 0
-  done
+  set -- "$1" chapters/"${1%.*}"_*/exercises/"${1#*.}"_*.hpp
+  [ $# -eq 2 ] || {
+    printf 'error: two files of exercise %s: %s, %s; move one away\n' "$1" "$2" "$3" >&2
+    exit 2
+  }
+  file=$2
+  [ ! -f "$file" ] || return 0
   for file in chapters/"${1%.*}"_*; do :; done
   file=$file/exercises/${1#*.}_$(title_of "$1" | tr -cd '[:alnum:] ' | tr ' ' _).hpp
 }
