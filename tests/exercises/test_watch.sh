@@ -9,7 +9,7 @@ work=$(mktemp -d)
 watcher=
 trap '[ -z "$watcher" ] || kill "$watcher" 2>/dev/null || :; rm -rf "$work"' EXIT
 mkdir -p "$work/common/tools/check" "$work/chapters/02_checkerboard_uv" "$work/build/learn/bin"
-cp "$root"/common/tools/check/watch.* "$work/common/tools/check"
+cp "$root"/common/tools/check/watch.* "$root/common/tools/check/check.sh" "$work/common/tools/check"
 cd "$work"
 lesson=chapters/02_checkerboard_uv/lesson.hpp
 page=out/watch
@@ -70,6 +70,30 @@ if [ "$status" != 0 ] || ! grep -q "The last pictures are in $page/" log; then
   failed=$((failed + 1))
   echo "FAIL: it does not end cleanly: status $status"
 fi
+
+# An exercise: its program draws, or runs without an end.
+mkdir -p tests/exercises chapters/02_checkerboard_uv/exercises out/exercises/02.1
+echo "// Exercise 02.1: where?" >tests/exercises/02_1.hpp
+lesson=chapters/02_checkerboard_uv/exercises/1_where.hpp
+cat >build/learn/bin/exercise_02_1 <<'END'
+#!/bin/sh
+if grep -q LOOP chapters/*/exercises/*.hpp; then while :; do :; done; fi
+cp chapters/*/exercises/*.hpp out/exercises/02.1/yours.png
+END
+chmod +x build/learn/bin/exercise_02_1
+save LOOP
+TEXMAP_CHECK_SECONDS=1 sh common/tools/check/watch.sh 2.1 >log 2>&1 &
+watcher=$!
+shows "a loop without an end" 1 bad "still running after 1 s of processor time" "" ""
+save one
+shows "the save after it" 2 good drawn "" one
+kill "$watcher"
+wait "$watcher"
+watcher=
+grep -q "^02.1 " out/exercises/passed.txt || {
+  failed=$((failed + 1))
+  echo "FAIL: it does not remember that the exercise is right"
+}
 
 printf '%s failed\n' "$failed"
 [ "$failed" = 0 ]

@@ -18,7 +18,6 @@ case "$what" in
   [0-9][0-9].[0-9])
     [ $# -eq 0 ] || wrong "watch takes no options for an exercise"
     program=exercise_$(printf '%s' "$what" | tr . _)
-    set -- --title "$(sed -n '1s/^[^:]*: //p' "tests/exercises/$(printf '%s' "$what" | tr . _).hpp" 2>/dev/null)"
     picture=out/exercises/$what/yours.png
     watched="chapters/${what%.*}_*/exercises/${what#*.}_*.hpp"
     ;;
@@ -49,6 +48,14 @@ as_string() {
   printf '"'
 }
 
+# draw OPTION...: builds, and draws; check limits the time of an exercise, and remembers whether it is right.
+draw() {
+  case "$what" in
+    *.*) sh common/tools/check/check.sh "$what" ;;
+    *) ./course --build learn "$program" 1 && "build/learn/bin/$program" "$@" ;;
+  esac
+}
+
 stop() {
   printf '\nThe last pictures are in %s/\n' "$folder"
   exit 0
@@ -68,7 +75,7 @@ while :; do
   seen=$now
   count=$((count + 1))
   status=0
-  said=$({ ./course --build learn "$program" 1 && "build/learn/bin/$program" "$@"; } 2>&1) || status=$?
+  said=$(draw "$@" 2>&1) || status=$?
   said=$(printf "%s\n" "$said" | grep -vE "^\[ *[0-9]+%\] |^\+ ") || :
   # "before" is the last picture that was different, also after an error.
   if [ -f "$picture" ] && cmp -s "$picture" "$folder/after.png"; then
