@@ -94,6 +94,10 @@ grep -q "^02.1 " out/exercises/passed.txt || {
   failed=$((failed + 1))
   echo "FAIL: it does not remember that the exercise is right"
 }
+[ -f out/exercises/02.1/yours.png ] || {
+  failed=$((failed + 1))
+  echo "FAIL: the exercise's page has no picture"
+}
 
 printf '%s failed\n' "$failed"
 [ "$failed" = 0 ]

@@ -33,7 +33,7 @@ esac
 ls $watched >/dev/null 2>&1 || wrong "there is no '$what'; ./course list and ./course check name what there is"
 
 mkdir -p "$folder"
-rm -f "$folder"/before.png "$folder"/after.png
+rm -f "$folder"/before.png "$folder"/after.png "$folder"/drawn.png
 cp common/tools/check/watch.html "$folder/index.html"
 printf 'show(0, "", "building");\n' >"$folder/state.js"
 
@@ -78,12 +78,11 @@ while :; do
   said=$(draw "$@" 2>&1) || status=$?
   said=$(printf "%s\n" "$said" | grep -vE "^\[ *[0-9]+%\] |^\+ ") || :
   # "before" is the last picture that was different, also after an error.
-  if [ -f "$picture" ] && cmp -s "$picture" "$folder/after.png"; then
+  if [ -f "$folder/after.png" ] && cmp -s "$picture" "$folder/after.png"; then
     [ -n "$said" ] || said="drawn; the picture is the same"
-    rm "$picture"
   elif [ -f "$picture" ]; then
     [ ! -f "$folder/after.png" ] || mv "$folder/after.png" "$folder/before.png"
-    mv "$picture" "$folder/after.png"
+    cp "$picture" "$folder/after.png" # the exercise's own page shows it, too
   fi
   [ -n "$said" ] || said="drawn"
   case $status in 0) word=good ;; *) word=bad ;; esac
