@@ -20,10 +20,11 @@ cat >course <<'END'
 #!/bin/sh
 if grep -q SYNTAX chapters/*/lesson.hpp; then echo "lesson.hpp:1: error: what is SYNTAX?" >&2; exit "$4"; fi
 END
-# --quiet --out PICTURE
+# --quiet --out PICTURE; it stands where the user does
+mkdir -p photos
 cat >build/learn/bin/02_checkerboard_uv <<'END'
 #!/bin/sh
-cp chapters/*/lesson.hpp "$3"
+cp ../chapters/*/lesson.hpp "$3"
 END
 chmod +x course build/learn/bin/02_checkerboard_uv
 
@@ -51,7 +52,7 @@ shows() {
 save() { echo "$1" >saved && mv saved "$lesson"; }
 
 save one
-sh common/tools/check/watch.sh 2 >log 2>&1 &
+TEXMAP_HERE=$work/photos sh common/tools/check/watch.sh 2 >log 2>&1 &
 watcher=$!
 shows "the first picture" 1 good drawn "" one
 save two

@@ -23,7 +23,7 @@ case "$what" in
     ;;
   [0-9][0-9])
     for chapter in chapters/"$what"_*; do program=${chapter#chapters/}; done
-    picture=$folder/drawn.png
+    picture=$PWD/$folder/drawn.png
     set -- --quiet --out "$picture" "$@"
     watched="chapters/${what}_*/*.hpp chapters/${what}_*/*.cpp"
     ;;
@@ -52,7 +52,10 @@ as_string() {
 draw() {
   case "$what" in
     *.*) sh common/tools/check/check.sh "$what" ;;
-    *) ./course --build learn "$program" 1 && "build/learn/bin/$program" "$@" ;;
+    *) # files are named from where the user stands
+      ./course --build learn "$program" 1 && tree=$PWD &&
+        (cd "${TEXMAP_HERE:-.}" && exec "$tree/build/learn/bin/$program" "$@")
+      ;;
   esac
 }
 
