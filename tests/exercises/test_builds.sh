@@ -85,6 +85,10 @@ for told in "known here" "known here" "note: more"; do
   : >build/learn/built/exercise_01_1
 done
 unset TEXMAP_VERBOSE
+{ echo "common/f.hpp:1:1: error: other" && echo "make: *** [exercise_01_1.cpp.o] Error 1"; } >error
+status=0
+./course --build learn exercise_01_1 1 "$file" HOW 2>said || status=$?
+[ "$status" = 2 ] || fail "an error in another file has the status $status: $(cat said)"
 for other in grade/build release; do
   mkdir -p "build/$other"
   cp build/learn/CMakeCache.txt "build/$other"

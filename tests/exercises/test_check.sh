@@ -35,6 +35,7 @@ cat >course <<'END'
 #!/bin/sh
 mkdir -p build/learn/bin
 file=$(echo chapters/02_checkerboard_uv/exercises/"${3##*_}"_*.hpp)
+! grep -q FAULT "$file" 2>/dev/null || exit 2
 ! grep -q SYNTAX "$file" 2>/dev/null || {
   echo "$5:1: error: what is SYNTAX? ${TEXMAP_VERBOSE:-$6}" >&2
   exit "$4"
@@ -134,6 +135,9 @@ expect "the last hint stays" 0 "(hint 3 of 3)" hint 02.1
 expect "one wrong exercise of a chapter" 1 "ran --title a walk on the map" 2
 for id in 02.1 02.2; do sh "$script" solution "$id" >"$(echo $folder/"${id#*.}"_*.hpp)"; done
 expect "a chapter that is right" 0 "ran" 02
+echo "// FAULT" >>"$second"
+expect "a build that fails for another reason" 2 "for another reason than your file" 02
+sh "$script" solution 02.2 >"$second"
 expect "all are right" 0 "2 of 2 right.
 "
 expect "no such exercise" 2 "there is no exercise '02.9'" 02.9

@@ -119,6 +119,11 @@ check() {
   file_of "$1"
   program=exercise_$(printf '%s' "$1" | tr . _)
   ./course --build learn "$program" 1 "$file" "./course check $1 --verbose" || {
+    [ $? = 1 ] || {
+      printf '%s the build failed for another reason than your file; see above\n' "$(head_of "$1")"
+      status=2
+      return
+    }
     printf '%s does not compile; see above\n' "$(head_of "$1")"
     remember "$1" 1
     status=1
@@ -135,6 +140,7 @@ check() {
     *) printf '%s your function crashed (status %s)\n' "$(head_of "$1")" "$status" ;;
   esac
   remember "$1" "$status"
+  [ "$status" -le 2 ] || status=1
 }
 
 # question ID [NUMBER]: asks it, or judges the number; the right one is shown after the second that is wrong.
@@ -206,13 +212,13 @@ case "${1:-}" in
     worst=0
     for id in $all; do
       check "$id"
-      [ "$status" = 0 ] || worst=1
+      [ "$status" -le "$worst" ] || worst=$status
     done
     exit "$worst"
     ;;
   *)
     [ $# -eq 1 ] || wrong "check takes one exercise"
     check "$1"
-    case $status in 0) exit 0 ;; 2) exit 2 ;; *) exit 1 ;; esac
+    exit "$status"
     ;;
 esac
