@@ -161,7 +161,9 @@ TEST_CASE("two pictures are compared on a page of the same kind, and the status 
            {"ada/chapters/01_a/exercises/1_b.hpp", "int mine;\n"},
            {"bob/chapters/01_a/own.hpp", "int own;\n"},
            {"ada/chapters/01_a/main.cpp", "int main() {}\n"},
-           {"bob/chapters/01_a/main.cpp", "int main() {}\n"}}) {
+           {"bob/chapters/01_a/main.cpp", "int main() {}\n"},
+           {"j.doe/chapters/01_a/own.hpp", "int own;\n"},
+           {"a.smith/chapters/01_a/own.hpp", "int own;\n"}}) {
     std::filesystem::create_directories(std::filesystem::path(folder / file).parent_path());
     write_text_atomically(path_of(folder / file), text);
   }
@@ -180,6 +182,7 @@ TEST_CASE("two pictures are compared on a page of the same kind, and the status 
        "different: 01_a/exercises/1_b.hpp, 01_a/lesson.hpp, 01_a/own.hpp\nLook at "
        "out/diff/ada-chapters/"},
       {"ada --to ada", 0, "different: no file\n"},
+      {"j.doe --to a.smith", 0, "different: no file\n"},
       {"ada --to nobody", 2, "there are no chapters in 'nobody'"},
       {"a.png --to small.png", 2, "the pictures differ in size: 200 x 150 and 4 x 3 pixels"},
       {"a.png --to none.png", 2, "cannot load 'none.png'"},

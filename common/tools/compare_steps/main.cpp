@@ -197,8 +197,11 @@ bool compare_checkouts(const std::string& from, const std::string& to, const Cho
   return differing.empty();
 }
 
-/// True for a name such as picture.png: what is compared is then files.
-bool is_picture(const std::string& typed) { return path_of(typed).has_extension(); }
+/// True for a name such as picture.png: what is compared is then files. A folder j.doe is none.
+bool is_picture(const std::string& typed) {
+  const std::filesystem::path path = path_of(typed);
+  return path.has_extension() && !is_directory(path);
+}
 
 /// The chapter of a number: "7" and "07" are that of 07_earth_by_sampling.
 /// Errors: UsageError if there is none.
