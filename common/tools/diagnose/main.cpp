@@ -38,6 +38,8 @@ struct Choices {
   [[nodiscard]] fs::path root() const { return fs::absolute(path_of(source)).parent_path(); }
 };
 
+constexpr const char* if_another = "If it is another chapter's, name it: --chapter NN\n";
+
 /// A page, in the book where that is made, and as Markdown.
 std::string place_of(const fs::path& root, const std::string& html, const std::string& anchor,
                      const std::string& markdown) {
@@ -139,7 +141,7 @@ std::string by_slips(const Choices& choices, const Image& mine,
     }
   }
   return explained(choices, first->chapter, why.slips, evidence) +
-         (whys.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
+         (whys.size() > 1 ? if_another : "");
 }
 
 /// Pixels that no rounding made: none of the right picture's around has their color.
@@ -246,9 +248,11 @@ std::string number_in(const std::string& name) {
 }
 
 /// The chapters' own pictures that may be meant, the nearest first.
+///
+/// @param by_name  set if the file's name left others out
 /// Errors: UsageError; FileError with the sizes that there are.
 std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
-                                const std::vector<WrongPicture>& right) {
+                                const std::vector<WrongPicture>& right, bool& by_name) {
   std::multimap<double, WrongPicture> nearest;
   std::string sizes;
   for (const WrongPicture& one : right) {
@@ -271,7 +275,7 @@ std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
   for (auto& [error, one] : nearest) fitting.push_back(std::move(one));
   const std::string number = number_in(name_of(path_of(choices.file).filename()));
   const auto is_another = [&](const auto& one) { return !one.name.starts_with(number); };
-  if (!std::ranges::all_of(fitting, is_another)) std::erase_if(fitting, is_another);
+  by_name = !std::ranges::all_of(fitting, is_another) && std::erase_if(fitting, is_another) > 0;
   return fitting;
 }
 
@@ -332,15 +336,15 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
             " tests/golden/" + nearest.name + ".png\n  more        " +
             place_of(choices.root(), "symptoms.html", "", "docs/symptoms.md");
   }
-  return found +
-         (candidates.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : "");
+  return found + (candidates.size() > 1 ? if_another : "");
 }
 
 /// The same for a picture with the reader's texture, by the pixels that the stage has.
 /// Errors: UsageError where no chapter that may be meant has a texture.
 bool is_right_with_texture(const Choices& choices, const Image& mine,
                            const std::vector<WrongPicture>& right) {
-  const std::vector<WrongPicture> candidates = meant(choices, mine, right);
+  bool by_name = false;
+  const std::vector<WrongPicture> candidates = meant(choices, mine, right, by_name);
   const std::vector<slips::StageView> stages = stages_of(choices, mine, candidates);
   if (stages.empty()) throw UsageError("none of these chapters has a texture: leave it out");
   for (const slips::StageView& stage : stages) {
@@ -354,6 +358,7 @@ bool is_right_with_texture(const Choices& choices, const Image& mine,
   const std::string found = by_slips(choices, mine, stages);
   print(found.empty() ? choices.file + ": wrong with that texture, by a mistake that is not known\n"
                       : found);
+  if (by_name) print(if_another);
   return false;
 }
 
@@ -375,7 +380,11 @@ Status diagnose(const Choices& choices) {
             one.words + (one.name.starts_with("02") ? ", which 00 draws, too\n" : "\n");
     if (is_it) break;
   }
-  if (found.empty()) found = wrong(choices, mine, meant(choices, mine, right));
+  if (found.empty()) {
+    bool by_name = false;
+    found = wrong(choices, mine, meant(choices, mine, right, by_name));
+    if (by_name && !found.empty()) found += if_another;
+  }
   print(found);
   return found.empty() ? ask_another : is_it ? is_right : is_wrong;
 }

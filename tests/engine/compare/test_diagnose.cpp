@@ -139,6 +139,8 @@ TEST_CASE("a right picture with a few wrong pixels is said to be that, with the 
     save_png(noise(80, 60, 4), course.folder / name);
     CHECK(has(course.say(name).out, "The nearest picture is " + std::string(chapter) + "'s"));
   }
+  // The name made the choice, and may be wrong.
+  CHECK(has(course.say("my_03.png").out, "--chapter NN\n"));
 }
 
 TEST_CASE("mistakes that have a card in My Earth is ... lead to it") {
