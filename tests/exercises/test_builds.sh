@@ -106,3 +106,14 @@ expect "in the copy again" kept silent
 mv "$work/copy" "$work/renamed"
 cd "$work/renamed"
 expect "under another name" gone said
+# The address of a page, in a folder whose name has what addresses have.
+mkdir -p common/tools/playground
+echo '{option: "--degrees", label: ' >common/tools/playground/live.js
+mv "$work/renamed" "$work/50% #2?"
+cd "$work/50% #2?"
+said=$(./course run 01 --degrees 3 --link 2>/dev/null) || fail "--link stopped"
+case "$said" in
+  file://*"/50%25%20%232%3F/out/01_plain_spheres.html#degrees=3") ;;
+  *) fail "the address is $said" ;;
+esac
+! ./course run 01 --texture a.jpg --link >said 2>&1 || fail "an address has a file: $(cat said)"
