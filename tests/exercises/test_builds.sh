@@ -74,7 +74,8 @@ if command -v flock >/dev/null 2>&1; then
   until grep -q "^waiting for the build in another" said || ! kill -0 $!; do sleep 0.1; done
   exec 8>&-
   wait $! || fail "after another build it stopped: $(cat said)"
-  grep -q "^waiting for the build in another" said || fail "it does not say that it waits: $(cat said)"
+  grep -q "^waiting for the build in another" said ||
+    fail "it does not say that it waits: $(cat said)"
 fi
 # A file that does not compile: the first time, later, and with all that the compiler says.
 file=chapters/01_plain_spheres/f.hpp

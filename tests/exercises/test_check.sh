@@ -105,7 +105,8 @@ expect "a reset of a start keeps nothing" 0 "$first is as it was" reset 02.1
 holds "one file is kept" [ "$(find out/exercises/02.1 -name 'before_reset_*' | grep -c .)" = 1 ]
 
 cp "$first" "$folder/1_where copy.hpp"
-expect "a second file" 2 "two files of exercise 02.1: $folder/1_where copy.hpp, $first; move one away" 02.1
+expect "a second file" 2 \
+  "two files of exercise 02.1: $folder/1_where copy.hpp, $first; move one away" 02.1
 rm "$folder/1_where copy.hpp"
 
 echo "// CRASH" >>"$first"

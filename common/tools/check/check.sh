@@ -44,8 +44,8 @@ title_of() { sed -n '1s/^[^:]*: //p' "$(whole_of "$1")"; }
 # head_of ID: how a line about it begins.
 head_of() { printf '%s  %s' "$1" "$(title_of "$1" | sed 's/[^?]$/&:/')"; }
 
-# name_of ID: sets file to the student's file, or to the name it should have if it is gone. Stops if there is no such exercise,
-# or a second file of it.
+# name_of ID: sets file to the student's file, or to the name it should have if it is gone.
+# Stops if there is no such exercise, or a second file of it.
 name_of() {
   case "$1" in
     [0-9][0-9].[0-9]) ;;

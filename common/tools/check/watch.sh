@@ -48,7 +48,8 @@ as_string() {
   printf '"'
 }
 
-# draw OPTION...: builds, and draws; check limits the time of an exercise, and remembers whether it is right.
+# draw OPTION...: builds, and draws. Of an exercise check limits the time, and remembers whether
+# it is right.
 draw() {
   case "$what" in
     *.*) sh common/tools/check/check.sh "$what" ;;
