@@ -269,6 +269,13 @@ def check_mistakes(place, browser):
             if wrong < 500 or lost or not is_typed or f" {wrong:,} of " not in shown or not all(
                     line in shown for line in slip["right"].split("\n")):
                 yield f"{page}, {slip}: {wrong} pixels changed, {lost} lost, {command}"
+        if page[:2] == "05":  # the second while the right picture of the first is still drawn
+            browser.run("{ const one = $('#live--degrees'); one.value = 30; "
+                        f"one.dispatchEvent(new Event('input')); }} {CHOOSE}(1); {CHOOSE}(2)")
+            browser.wait(f"{VERDICT}.textContent.startsWith({json.dumps(slips[1]['words'])}) && "
+                         f"{DONE}", 60)
+            if browser.run(f"{UNLIKE}('.live-second > canvas')"):
+                yield f"{page}: another mistake's picture stands as the right one"
         for _ in range(2 if slips else 0):
             browser.run(f"{BROKEN}.querySelector('button').click()")
             browser.wait(f"!!{VERDICT}.querySelector('button')", 60)

@@ -632,6 +632,7 @@ async function live(main, script) {
   // The page's mistakes: what each types more, what is wrong, what is right. The one that is drawn.
   const slips = JSON.parse(main.dataset.slips || "[]");
   let broken = null;
+  let attempts = 0;  // to draw one: only the newest goes on once the right picture is there
   // Of the page alone: the program has no option that draws it.
   const isOurs = ({typed}) => typed[0] === "--mistake";
   const wrongs = element("select"), verdict = element("div", {ariaLive: "polite"});
@@ -1032,6 +1033,7 @@ async function live(main, script) {
     }
   }
   function startOver() {
+    ++attempts;
     mend();
     carried = {};
     newest = {};
@@ -1770,16 +1772,18 @@ async function live(main, script) {
     while (section.dataset.state === "drawing") await new Promise((next) => setTimeout(next, 50));
     return section.dataset.state === "done";
   };
-  async function breakIt(slip) {
+  async function breakIt(slip, isAsked = false) {
     if (!broken) {  // else the right picture is there
       const before = words().join();
       startOver();
+      const mine = attempts;
       if (words().join() !== before || section.dataset.state !== "done") change();
-      if (!await isDrawn()) return false;
+      if (!await isDrawn() || mine !== attempts) return false;
       Object.assign(second, {width: canvas.width, height: canvas.height});
       secondPaper.drawImage(canvas, 0, 0);
       cover(true);
     }
+    command.parentElement.hidden = isAsked;  // it would tell
     broken = slip;
     change();
     if (!await isDrawn() || broken !== slip) return false;
@@ -1824,8 +1828,7 @@ async function live(main, script) {
     let slip = broken;
     do {  // until it can be seen
       slip = drawnBy(without(slips, slip));
-      command.parentElement.hidden = true;  // it would tell
-      if (!await breakIt(slip)) return;
+      if (!await breakIt(slip, true)) return;
       command.parentElement.hidden = true;
       wrongs.value = "";
     } while (!changes().isSeen);
@@ -1846,7 +1849,7 @@ async function live(main, script) {
     ...slips.map(({words}) => element("option", {value: words, textContent: words})));
   wrongs.onchange = async () => {
     const slip = slips.find(({words}) => words === wrongs.value);
-    if (!slip) { mend(); change(); return; }
+    if (!slip) { ++attempts; mend(); change(); return; }
     if (await breakIt(slip)) judge(...told(slip));
   };
   const guess = element("button", {type: "button", textContent: "Which mistake is it?",
