@@ -262,6 +262,13 @@ def check_files(place, browser):
         if drawn == before:
             yield f"{chapter}: the picture stays as it was"
         yield from refused(file, drawn)
+    # What is not drawn yet stays, too.
+    place.show(browser, "07.html")
+    browser.run("{ const field = $('#live--samples'); field.value = field.max; "
+                "field.dispatchEvent(new Event('input')); }")
+    browser.choose_file(".live-open input", str(place.folder / "no picture.png"))
+    browser.wait(f"{SAYS}.includes('no picture.png') && "
+                 "$('#live--samples').ariaValueText === '1024'", 20)
 
 
 def check_hands(place, browser):

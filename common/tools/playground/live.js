@@ -808,7 +808,7 @@ async function live(main, script) {
       const wrong = Object.keys(widgets).find((one) => reason.startsWith(`${one} takes `));
       // two were changed at once
       if (wrong && wrong !== undo?.option) undo = {option: wrong, before: preset(wrong)};
-      if (undo) {
+      if (undo && of === "draw") {  // a file that cannot be read has changed nothing
         files.delete(values[undo.option]);
         values[undo.option] = undo.before;
         if (undo.wrap) values["--wrap"] = undo.wrap;
