@@ -317,17 +317,21 @@ async function show() {
   async function paint() {
     const {index} = ways[chosen];
     if (!pictures[index]) {
-      painted(shown, await ask("picture", index, width * height), width, height);
+      const picture = await ask("picture", index, width * height);
+      if (index === chosen) painted(shown, picture, width, height);
       Object.assign(ways[index], await ask("compare", index));
       pictures[index] = await ask("pictures", index, width * height);
     }
     if (index !== chosen) return;
     [shown, changed].forEach((canvas, i) => painted(canvas, pictures[index][i], width, height));
   }
+  let newest = 0;
   async function change(way) {
+    const mine = ++newest;  // what a later one overtakes says nothing more
     allowed.textContent = small(limit());
     slider.setAttribute("aria-valuetext", `${small(limit())} texels`);
     const {best, front} = await found();
+    if (mine !== newest) return;
     const all = isTimed() ? ways : known, exact = all.filter(({times}) => times.length)
       .reduce((a, b) => b.bound < a.bound ? b : a);
     chosen = way ? way.index : best < 0 ? exact.index : best;
@@ -336,6 +340,7 @@ async function show() {
     plot.replaceChildren(plotted(all, front, chosen, limit(), choose));
     if (isHeld) plot.querySelector(".budget-point.chosen").focus();
     await paint();
+    if (mine !== newest) return;
     tell(way ? 0 : best);
     if (!isTimed()) return;
     table.replaceChildren(element("tr", {},
