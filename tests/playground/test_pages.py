@@ -70,6 +70,9 @@ def check_13(place, browser):
         way = ways[int(browser.run(f"{SECTION}.dataset.way"))]
         if way["bound"] > 10 ** power * 1.0001:
             yield f"for {power} it takes {way['kernel']}, which may be {way['bound']} off"
+    browser.run("$('.budget-point:not(.chosen)').dispatchEvent(new Event('click'))")
+    if browser.run("location.hash !== `#budget=${$('#budget').value}`"):
+        yield "a click on a point leaves the budget before it in the address"
     browser.run(f"{CARD}.querySelector('button').click()")
     browser.wait(f"{CARD}.dataset.state === 'done' || /refused|no "
                  f"graphics/.test({CARD}.textContent)", 60)

@@ -355,7 +355,7 @@ async function show() {
   }
   function choose(way) {
     slider.value = Math.min(0, Math.max(-12, Math.ceil(20 * Math.log10(way.bound)) / 20));
-    change(way);
+    moved(way);
   }
   async function time() {
     again.disabled = true;
@@ -386,11 +386,12 @@ async function show() {
     await change();
     section.dataset.timed = rounds;
   }
-  slider.oninput = () => {  // the address keeps it
+  function moved(way) {  // the address keeps it
     history.replaceState(history.state, "", `#budget=${slider.value}`);
     checkAddress(slider, true);
-    change();
-  };
+    change(way);
+  }
+  slider.oninput = () => moved();
   const fromAddress = () => {
     const [, asked] = /^#budget=(-?\d+(?:\.\d+)?)$/.exec(location.hash) || [];
     slider.value = asked ?? -2;
