@@ -132,7 +132,7 @@ def check_addresses(place, browser):
         # A moved slider is in the address, and an address of hand moves the slider.
         field = "$('#live--degrees')"
         browser.run(f"{field}.value = 12; {field}.dispatchEvent(new Event('input'))")
-        browser.wait("location.hash === '#degrees=12'", 20)
+        browser.wait(f"{DONE} && location.hash === '#degrees=12'", 20)
         browser.run("location.hash = 'degrees=77&samples=4'")
         browser.wait(f"{field}.value === '77' && {COMMAND}.endsWith('--samples 4')", 20)
         place.open(browser, "05_y_rotation.html?only=picture#degrees=63", is_file)

@@ -1139,7 +1139,8 @@ async function live(main, script) {
   }
   addEventListener("hashchange", () => {
     if (!hand || built !== chapter || isPlace()) return;
-    reset();
+    section.dataset.state = "drawing";  // else the loupe, closed, takes the new address away
+    startOver();
     closeLoupe();
     const odd = fromAddress();
     change();
