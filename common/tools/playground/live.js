@@ -1366,7 +1366,7 @@ async function live(main, script) {
   canvas.addEventListener("pointermove", dragLamp);
   function closeLoupe() {
     spot.hidden = true;
-    pixel = null;
+    pixel = nextLook = null;
     pinned = example = false;
     loupe.hidden = mark.hidden = true;  // its room stays: nothing below moves
     if (section.dataset.state === "done") toAddress();
