@@ -156,14 +156,17 @@ def check_own_addresses(place, browser):
              "1.25", "#exhibit=pole&at=1.25&number=double")):
         place.open(browser, page + asked)
         browser.wait(f"{DONE} && $({field!r}).value === {value!r}", 60)
-        browser.run(f"((one) => {{ one.value = {other}; one.dispatchEvent(new Event('input')); }})"
-                    f"($({field!r}))")
+        move = (f"((one) => {{ one.value = {other}; one.dispatchEvent(new Event('input')); }})"
+                f"($({field!r}))")
+        browser.run(move)
         browser.wait(f"location.hash === {becomes!r}", 10)
         browser.run("location.hash = 'main'")  # a place on the page
         if browser.run("Boolean($('.live-says'))"):
             yield f"{page}: a place's address is taken for a setting"
         browser.run("location.hash = 'radii=x&budget=x&at=x'")
         browser.wait("$('.live-says')?.textContent.includes('=x')", 10)
+        browser.run(move)
+        browser.wait("!$('.live-says')", 10)
 
 
 # Rows of the loupe without code on a page: they say where the pixel is, or their module alone

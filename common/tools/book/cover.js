@@ -147,8 +147,10 @@ const texmapCover = async (packed, earth) => {
   function tell() {
     clearTimeout(telling);
     telling = setTimeout(() => {
-      if (slider.value !== slider.defaultValue || location.hash.startsWith("#radii"))
+      if (slider.value !== slider.defaultValue || location.hash.startsWith("#radii")) {
         history.replaceState(history.state, "", `#radii=${radii()}`);
+        checkAddress(slider, true);
+      }
       const [u, column] = [5, 7].map((row) =>
         [...table.tBodies[0].rows[row].cells].map((one) => one.textContent));
       said.textContent = `Pixel ${hero.numbers.pixel.slice(1).join(", ")}. u: published ${u[1]}, `
