@@ -99,7 +99,7 @@ document.addEventListener("keydown", (event) => {
   } else if ((event.key === "ArrowLeft" || event.key === "ArrowRight") && !typing && place < 0
     && !event.altKey && !event.ctrlKey &&
              !event.metaKey && !event.shiftKey
-               && !document.activeElement.closest("pre, .scroll, input")) {
+               && !document.activeElement.closest("pre, .scroll, input, select")) {
     const link = document.querySelector(event.key === "ArrowLeft" ? "a[rel=prev]" : "a[rel=next]");
     if (link) location.href = link.href;
   }
