@@ -82,7 +82,7 @@ document.addEventListener("pointerdown",
   ({target}) => { if (!target.closest(".search")) found.hidden = true; });
 document.addEventListener("keydown", (event) => {
   const typing = document.activeElement === box;
-  const links = [...found.querySelectorAll("a")];
+  const links = found.hidden ? [] : [...found.querySelectorAll("a")];
   const place = links.indexOf(document.activeElement);
   if (event.key === "/" && !typing) {
     event.preventDefault();
