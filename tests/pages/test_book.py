@@ -120,8 +120,8 @@ USES = {
                             "a.getAttribute('href').startsWith('01_plain_spheres.html'))"),
         # nothing is found in an empty box
         ("$('#found').onclick = (event) => { event.preventDefault(); window.went = true; }; "
-         "find(''); document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter', "
-         "bubbles: true}))", "$('#found').hidden && !window.went"),
+         "find(''); document.activeElement.dispatchEvent(new KeyboardEvent('keydown', "
+         "{key: 'Enter', bubbles: true}))", "$('#found').hidden && !window.went"),
         # The phrase first, and marked as one; whole words before those that begin so; nothing
         # within a word.
         ("find('Half a  texel')",
