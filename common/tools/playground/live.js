@@ -652,6 +652,7 @@ async function live(main, script) {
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
     ++latest;  // what the old chapter still draws is out of date
+    looking = nextLook = null;
     unfinished = true;
     send({kind: "begin", chapter});
   }
