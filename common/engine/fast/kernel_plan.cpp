@@ -77,7 +77,8 @@ void plan_places(KernelPlan& plan, const Budget& budget, const Image& texture) {
 UvError worst_uv_error(int degree, bool in_float) {
   return with_uv_mapping(degree, [in_float]<class Mapping>(const Mapping&) -> UvError {
     if constexpr (requires { Mapping::template worst<float>; }) {
-      return in_float ? Mapping::template worst<float> : Mapping::template worst<double>;
+      if (in_float) return Mapping::template worst<float>;
+      return Mapping::template worst<double>;
     } else {
       return {};
     }

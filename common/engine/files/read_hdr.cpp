@@ -77,9 +77,10 @@ class Reader {
       if (const std::string_view typed = value_of("EXPOSURE="); !typed.empty()) {
         const double factor = read_decimal(typed).value_or(-1);
         exposure *= factor == 0 ? 1 : factor;  // many programs write 0 for "not known"
-        if (!(exposure >= 1e-30 && exposure <= 1e30))
+        if (!(exposure >= 1e-30 && exposure <= 1e30)) {
           damaged("the exposure " + quoted(typed, max_shown) +
                   " is not a number from 1e-30 to 1e30");
+        }
       }
     }
     if (!has_format) damaged("it states no format");
