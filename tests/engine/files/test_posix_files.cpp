@@ -50,7 +50,7 @@ TEST_CASE("what cannot be loaded or written is named in words, and at once") {
            {folder / "pipe", "it is a pipe, not a file"},
            {folder / "sparse.png", "the file has 10737418240 bytes, more than 67108864 (64 MiB)"},
            {"/dev/zero", "it is a device, not a file"}}) {
-    CHECK(image_error_of([&] { static_cast<void>(load_image(path)); }) ==
+    CHECK(image_error_of([&, file = path] { static_cast<void>(load_image(file)); }) ==
           "cannot load texture '" + path + "': " + why);
   }
   for (const std::string& path : {folder / "loop", folder / "ring"})
