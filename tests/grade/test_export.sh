@@ -45,7 +45,8 @@ for name in 1_where_on_the_map.hpp~ 1_mine.hpp 2_a_walk_on_the_map.hpp.orig .3_b
   echo mine >"own/chapters/02_checkerboard_uv/exercises/$name"
 done
 says 0 "with 3 exercises" own/course export --chapters 02 mine
-[ "$(ls -A mine/chapters/02_checkerboard_uv/exercises)" = "$(ls kit/chapters/02_checkerboard_uv/exercises)" ] ||
+exercises=chapters/02_checkerboard_uv/exercises
+[ "$(ls -A "mine/$exercises")" = "$(ls "kit/$exercises")" ] ||
   fail "an editor's copy of an answer is in the copy"
 rm -r own
 cd kit

@@ -89,7 +89,7 @@ TEST_CASE("robust gives way to hybrid where it does not hold") {
   keep_to_domains(objects, {0, 0, 1}, 24);
   CHECK(objects[0].shape.form == hybrid);
   CHECK(objects[1].shape.form == robust);
-  // Shapes of another kind beside them do not matter.
+  // Other shapes in the list change nothing.
   std::vector<Painted<Solid, AnyShape<Sphere<>, Cylinder>>> mixed{
       {.shape = Cylinder{}, .paint = {}}, {.shape = Sphere<>{{0, 0, 0}, 1e-5}, .paint = {}}};
   keep_to_domains(mixed, {0, 0, 1}, 24);
