@@ -167,6 +167,12 @@ def check_own_addresses(place, browser):
         browser.wait("$('.live-says')?.textContent.includes('=x')", 10)
         browser.run(move)
         browser.wait("!$('.live-says')", 10)
+        if page[:2] == "14":
+            browser.run("location.hash = 'exhibit=pole&number=half'")
+            browser.wait("$('.live-says')?.textContent.includes('=half')", 10)
+        if page[:2] in ("13", "14"):  # what a worker that is gone owes
+            browser.run("void Promise.reject(new Error('no memory'))")
+            browser.wait("$('.budget').textContent.includes('stopped (no memory)')", 10)
 
 
 # Rows of the loupe without code on a page: they say where the pixel is, or their module alone

@@ -42,10 +42,10 @@ std::string name_of_profile(Bytes profile) {
   return name.empty() ? "another color space" : name;
 }
 
-/// True if the bytes are light itself: the curve has no table, or the exponent 1, also as the
-/// parameter of a formula, "para".
-bool is_linear(Bytes profile) {
-  const Bytes curve = tag_of(profile, "rTRC", 12);
+/// True if the bytes are light itself by the curve of a tag: it has no table, or the exponent 1,
+/// also as the parameter of a formula, "para".
+bool is_linear(Bytes profile, std::string_view name) {
+  const Bytes curve = tag_of(profile, name, 12);
   if (curve.size() >= 16 && curve[0] == 'p')
     return big_endian_16(curve, 8) == 0 && big_endian_32(curve, 12) == 0x10000;
   if (curve.empty() || curve[0] != 'c') return false;
@@ -55,17 +55,21 @@ bool is_linear(Bytes profile) {
 
 }  // namespace
 
+std::string not_in_srgb(const std::string& space) {
+  return "has its colors in " + space +
+         ", not in sRGB, and they are drawn as if they were sRGB; convert it to sRGB for the right "
+         "ones";
+}
+
 std::string note_on_profile(Bytes profile) {
   const Bytes red = tag_of(profile, "rXYZ", 20), green = tag_of(profile, "gXYZ", 20);
-  if (red.empty() || green.empty()) return {};
   const auto is = [](Bytes xyz, double x) {
     return std::abs(static_cast<std::int32_t>(big_endian_32(xyz, 8)) / 65536.0 - x) < 0.01;
   };
-  const bool has_srgb_primaries = is(red, 0.4361) && is(green, 0.3851);
-  if (has_srgb_primaries && !is_linear(profile)) return {};
-  return "has its colors in " + name_of_profile(profile) +
-         ", not in sRGB, and they are drawn as if they were sRGB; convert it to sRGB for the right "
-         "ones";
+  const bool is_srgb = red.empty() || green.empty()
+                           ? !is_linear(profile, "kTRC")  // of grays
+                           : is(red, 0.4361) && is(green, 0.3851) && !is_linear(profile, "rTRC");
+  return is_srgb ? "" : not_in_srgb(name_of_profile(profile));
 }
 
 }  // namespace texmap

@@ -145,7 +145,6 @@ PngChunks read_png_chunks(Bytes file) {
   Bytes rest = file.subspan(png_signature.size());
   PngChunks found;
   bool image_data_ended = false, is_srgb = false;
-  std::uint32_t gamma = 0;
 
   // The header comes first, and nothing is believed before it.
   const Chunk first = take_chunk(rest);
@@ -160,7 +159,11 @@ PngChunks read_png_chunks(Bytes file) {
     if (type == "IEND") {
       require(data.empty(), "its end marker (IEND) is not empty");
       require(image_data, "it has no pixels (IDAT)");
-      if (!is_srgb && found.profile.empty()) found.gamma = gamma;
+      if (!found.color_code.empty()) found.profile = {};
+      if (is_srgb || !found.color_code.empty() || !found.profile.empty()) {
+        found.primaries = {};
+        found.gamma = 0;
+      }
       return found;
     }
     require(type != "IHDR", "it has two headers (IHDR)");
@@ -182,7 +185,11 @@ PngChunks read_png_chunks(Bytes file) {
       if (data.end() - end > 2)
         found.profile = data.last(static_cast<std::size_t>(data.end() - end - 2));
     } else if (type == "gAMA" && data.size() == 4) {
-      gamma = big_endian_32(data, 0);
+      found.gamma = big_endian_32(data, 0);
+    } else if (type == "cHRM" && data.size() == 32) {
+      found.primaries = data;
+    } else if (type == "cICP" && data.size() == 4) {
+      found.color_code = data;
     } else if (type == "sRGB") {
       is_srgb = true;
     } else if (type == "IDAT") {

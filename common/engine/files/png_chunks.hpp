@@ -26,11 +26,14 @@ struct PngHeader {
 /// A PNG file taken apart.
 struct PngChunks {
   PngHeader header;
-  Bytes palette;                  // three bytes a color; empty without a palette
-  Bytes transparency;             // of tRNS: palette colors' alpha, or the transparent color
-  PixelOrder order;               // of eXIf
-  Bytes profile;                  // of iCCP: its zlib stream; empty without one
-  std::uint32_t gamma = 0;        // of gAMA, times 100000; 0 where sRGB or a profile replaces it
+  Bytes palette;       // three bytes a color; empty without a palette
+  Bytes transparency;  // of tRNS: palette colors' alpha, or the transparent color
+  PixelOrder order;    // of eXIf
+  // What tells of colors: one of cICP, iCCP, or the last two, which sRGB, too, replaces.
+  Bytes color_code;               // of cICP: the numbers of its primaries and its curve first
+  Bytes profile;                  // of iCCP: its zlib stream
+  Bytes primaries;                // of cHRM: x and y of white, red, green and blue, times 100000
+  std::uint32_t gamma = 0;        // of gAMA, times 100000
   std::vector<Bytes> compressed;  // the zlib stream, in the pieces of the IDAT chunks, at least one
 };
 

@@ -34,7 +34,7 @@ class Reader {
   explicit Reader(Bytes file) : rest_(file) {}
 
   LightImage read(std::uint64_t most_texels) {
-    const double exposure = header();
+    const std::array<double, 3> exposure = header();
     const auto [size, order] = resolution();
     check_image_size(size);
     check_sky_size(size, most_texels);
@@ -57,9 +57,9 @@ class Reader {
     return line.substr(0, line.find_last_not_of(" \t\r") + 1);
   }
 
-  // The lines before the first empty one. Returns the product of all exposures.
-  double header() {
-    double exposure = 1;
+  // The lines before the first empty one. Returns by what each color's light was multiplied.
+  std::array<double, 3> header() {
+    std::array<double, 3> exposure = {1, 1, 1};
     bool has_format = false;
     take_line();  // the signature
     for (std::string_view line = take_line(); !line.empty(); line = take_line()) {
@@ -75,16 +75,27 @@ class Reader {
         }
       }
       if (const std::string_view typed = value_of("EXPOSURE="); !typed.empty()) {
-        const double factor = read_decimal(typed).value_or(-1);
-        exposure *= factor == 0 ? 1 : factor;  // many programs write 0 for "not known"
-        if (!(exposure >= 1e-30 && exposure <= 1e30)) {
-          damaged("the exposure " + quoted(typed, max_shown) +
-                  " is not a number from 1e-30 to 1e30");
+        for (double& product : exposure) multiply(product, typed, line);
+      }
+      if (std::string_view typed = value_of("COLORCORR="); !typed.empty()) {
+        for (double& product : exposure) {
+          const std::size_t end = std::min(typed.find_first_of(" \t"), typed.size());
+          multiply(product, typed.substr(0, end), line);
+          typed.remove_prefix(std::min(typed.find_first_not_of(" \t", end), typed.size()));
         }
       }
     }
     if (!has_format) damaged("it states no format");
     return exposure;
+  }
+
+  static void multiply(double& product, std::string_view typed, std::string_view line) {
+    const double factor = read_decimal(typed).value_or(-1);
+    product *= factor == 0 ? 1 : factor;  // many programs write 0 for "not known"
+    if (!(product >= 1e-30 && product <= 1e30)) {
+      damaged("its line " + quoted(line, max_shown) +
+              " has what is not a number from 1e-30 to 1e30");
+    }
   }
 
   // The line of the size, usually -Y height +X width: how many rows the file has, and how many
@@ -184,18 +195,18 @@ class Reader {
   }
 
   // A writer cuts mantissas off; the middle of what was cut off has no bias.
-  static Color<float> light_of(const Rgbe& texel, double exposure) {
+  static Color<float> light_of(const Rgbe& texel, const std::array<double, 3>& exposure) {
     if (texel[3] == 0) return {};
-    const double step = std::ldexp(1.0, texel[3] - 136) / exposure;
-    const auto channel = [step](std::uint8_t mantissa) {
-      const double light = mantissa == 0 ? 0 : (mantissa + 0.5) * step;
+    const double step = std::ldexp(1.0, texel[3] - 136);
+    const auto channel = [&](std::size_t i) {
+      const double light = texel[i] == 0 ? 0 : (texel[i] + 0.5) * (step / exposure[i]);
       if (light > brightest_texel) {
         throw FileError("a texel has " + shown(light, 3) + " of light, more than " +
                         shown(brightest_texel, 3) + "; its EXPOSURE line may be wrong");
       }
       return static_cast<float>(light);
     };
-    return {channel(texel[0]), channel(texel[1]), channel(texel[2])};
+    return {channel(0), channel(1), channel(2)};
   }
 
   Bytes rest_;

@@ -273,10 +273,20 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
 
 // What the user should know of colors that are not sRGB's.
 std::string note_on_colors(const PngChunks& png) {
+  if (!png.color_code.empty()) {
+    const int primaries = png.color_code[0], curve = png.color_code[1];
+    return primaries == 1 && curve == 13  // BT.709's, which are sRGB's, and sRGB's curve
+               ? ""
+               : not_in_srgb(text("the space of the numbers %d and %d (cICP)", primaries, curve));
+  }
   if (png.gamma != 0 && (png.gamma < 40000 || png.gamma > 51000)) {
     return text("is encoded by gamma %.3g: it is drawn as if by sRGB's curve, which is near 2.2",
                 1e5 / png.gamma);
   }
+  constexpr std::array<int, 8> of_srgb = {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000};
+  for (std::size_t i = 0; 4 * i < png.primaries.size(); ++i)
+    if (std::abs(static_cast<int>(big_endian_32(png.primaries, 4 * i)) - of_srgb[i]) > 1000)
+      return not_in_srgb("a space with primaries of its own (cHRM)");
   std::array<std::uint8_t, 1 << 16> profile;  // larger ones are not looked at
   if (png.profile.size() < 6) return {};
   const std::ptrdiff_t size = unpack(png.profile, profile);

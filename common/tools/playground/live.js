@@ -1911,11 +1911,17 @@ return {
     bytesOf, inWords, isPlace, checkAddress,
     // Whether this is the worker itself, which then answers.
     isHired: (worker) => inWorker && (answering(worker()), true),
-    // A page of a single chapter begins, or says that it may not.
-    begin: (start) => addEventListener("DOMContentLoaded", () => start().catch(({message}) => {
-      placed(message.includes("policy") ? element("p", {className: "wide live-fault",
-        textContent: `The picture stays still: ${message}.`}) : "");
-      console.info(`The picture stays still: ${message}`);
-    })), placed},
+    // A page of a single chapter begins, or says that it may not, or that its worker is gone.
+    begin: (start) => addEventListener("DOMContentLoaded", () => {
+      start().catch(({message}) => {
+        placed(message.includes("policy") ? element("p", {className: "wide live-fault",
+          textContent: `The picture stays still: ${message}.`}) : "");
+        console.info(`The picture stays still: ${message}`);
+      });
+      addEventListener("unhandledrejection", ({reason}) =>
+        document.querySelector("section.budget")?.append(element("p", {className: "live-fault",
+          role: "status", textContent: `The live picture stopped (${reason.message || reason}). `
+            + "Load the page again to go on."})), {once: true});
+    }), placed},
 };
 })();

@@ -113,10 +113,11 @@ async function show() {
   function fromAddress() {
     const asked = new URLSearchParams(location.hash.slice(1));
     const i = dials.findIndex(({exhibit}) => exhibit === asked.get("exhibit"));
-    const at = asked.get("at") ?? "", isKnown = i >= 0 && Number.isFinite(Number(at));
+    const at = asked.get("at") ?? "", number = asked.get("number") ?? "float",
+      isKnown = i >= 0 && Number.isFinite(Number(at)) && ["float", "double"].includes(number);
     checkAddress(slider, isKnown);
     choice.value = isKnown ? i : 0;
-    inDouble.checked = isKnown && asked.get("number") === "double";
+    inDouble.checked = isKnown && number === "double";
     choose();
     if (!isKnown || !at) return;
     slider.value = at;
