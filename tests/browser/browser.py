@@ -23,7 +23,8 @@ class Fault(Exception):
 
 
 def installed():
-    for name in ("chromium", "chromium-browser", "google-chrome"):
+    for name in ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
+                 "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"):
         if shutil.which(name):
             return shutil.which(name)
     return None

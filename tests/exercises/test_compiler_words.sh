@@ -14,7 +14,7 @@ words_of=$root/common/tools/check/compiler_words
 # says LINES: the words, and a line with one of these digits.
 says() {
   said=$(LC_ALL=C awk -v mine="$file" -v own=OWN -f "$words_of.awk" "$words_of.tsv" log) || :
-  case "$(printf '%s\n' "$said" | wc -l) $said" in
+  case "$(($(printf '%s\n' "$said" | wc -l))) $said" in
     "4 $file:"[$1]:*"$words"*OWN\)) ;;
     *) failed=$((failed + 1)) && echo "FAIL: '$words', line '$1', is '$said':" && head -n 12 log ;;
   esac

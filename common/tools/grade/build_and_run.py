@@ -675,7 +675,7 @@ def choose_boxes(options, work, stopping):
     if not options.trust_students:
         remedy = ('let users make namespaces (unshare --user)'
                   if shutil.which('bwrap', path=ENVIRONMENT['PATH']) else
-                  'install bubblewrap (apt-get install bubblewrap)')
+                  'install bubblewrap')
         raise GradeError(f'students\' code cannot be contained here\n  {boxes.kind}: {why}\n'
                          f'{remedy}; in a container or a virtual machine '
                          'that holds nothing else,\n--trust-students runs it NOT CONTAINED')
