@@ -41,7 +41,7 @@ add_check(layers "closure;reader" "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_SOURCE_DI
 # No work before main, in the libraries and in the chapters.
 if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
   set(files "")
-  foreach(library texture files fast draw run)
+  foreach(library elementary texture files files_cold fast draw compare run)
     list(APPEND files "$<TARGET_FILE:${library}>")
   endforeach()
   foreach(chapter 01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling)

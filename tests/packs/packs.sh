@@ -26,6 +26,9 @@ for chapter in "$@"; do
   for instructions in baseline avx2 avx512; do
     draw "$chapter" "$work/packs.png" double-pack "$instructions" 2>"$work/refusal" || {
       grep -q "this machine does not have" "$work/refusal" || fail "$chapter with $instructions: $(cat "$work/refusal")"
+      # Linux tells what there is, too.
+      ! grep -qsw "$(echo "$instructions" | sed 's/512/512bw/')" /proc/cpuinfo || [ "$(uname -m)" != x86_64 ] ||
+        fail "$chapter: $instructions are refused, and /proc/cpuinfo has them"
       echo "$instructions: not on this machine"
       continue
     }

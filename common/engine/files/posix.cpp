@@ -36,7 +36,7 @@ std::string last_words() {
   return words_of({errno == EDQUOT ? ENOSPC : errno, std::generic_category()});
 }
 
-std::string called;  // the program's name, as it was called
+std::string_view called;  // the program's name, as it was called
 
 // The program's file by that name, as the shell found it; empty if it is not there.
 std::filesystem::path file_of_call() {

@@ -61,4 +61,7 @@ TEST_CASE(
 TEST_CASE("as many rounds as fit into the time, within their limits") {
   CHECK(texmap::rounds_within(0, {[] {}}, 7, 100) == 7);
   CHECK(texmap::rounds_within(1e9, {[] {}}, 7, 100) == 100);
+  const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  const int rounds = texmap::rounds_within(1000, {sleep, sleep}, 1, 100);  // of 40 ms or more
+  CHECK(rounds <= 25);
 }

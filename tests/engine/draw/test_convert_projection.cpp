@@ -60,6 +60,7 @@ TEST_CASE("light is the same on both sides of every seam, even of noise") {
     const double step = 1e-9;
     const Color<double> a = light_at(image, projection, project(projection, p + across * step));
     const Color<double> b = light_at(image, projection, project(projection, p + across * -step));
+    REQUIRE(a.r + a.g + a.b + b.r + b.g + b.b >= 0);  // no NaN, which a maximum would lose
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
   };
   double worst = 0;
@@ -87,7 +88,6 @@ TEST_CASE("light is the same on both sides of every seam, even of noise") {
   MESSAGE("largest jump across a seam: " << worst);
   CHECK(worst <= 1e-6);
   // Clamped at the edge, as for a picture without neighbors, noise would jump.
-  CHECK(apart_at(wide, Projection::plane, {-1, 0.3, 0}, {0, 0, 1}) >= 0);
   const Color<double> left = light_at(wide, Projection::plane, {0.0, 0.5});
   const Color<double> right = light_at(wide, Projection::plane, {1 - 1e-9, 0.5});
   CHECK(std::abs(left.r - right.r) > 0.01);

@@ -127,6 +127,7 @@ TEST_CASE("each pixel of a picture is its own light, and any number of threads d
       const Rgb light = film.light(i % film.width(), i / film.width());
       const Rgb8 bytes = alone.at(i % film.width(), i / film.width());
       REQUIRE(bytes.r == byte_of_light(light.r, transfer));
+      REQUIRE(bytes.g == byte_of_light(light.g, transfer));
       REQUIRE(bytes.b == byte_of_light(light.b, transfer));
     }
     for (const int threads : {0, 2, 7}) CHECK(develop(film, transfer, threads) == alone);
