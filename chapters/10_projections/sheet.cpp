@@ -12,6 +12,7 @@
 #include "engine/files/sheet.hpp"
 #include "engine/files/system.hpp"
 #include "engine/files/text.hpp"
+#include "engine/run/command_line.hpp"
 #include "figures.hpp"
 #include "probable_layout.hpp"
 
@@ -147,11 +148,12 @@ void save_sheet(Session& session, const Image& sheet) {
 }
 
 void save_converted(Session& session, TextureFile& file, const ProjectionOptions& layout) {
+  usage_error_if(layout.projection.has_value(),
+                 "--to saves a file, and --projection draws the globe: leave one of them out");
   SharedImage image = file.load();
   const Projection to = layout.to.value_or(layout.from);
   const PictureSize size = converted_size(image, layout.from, to);
   session.chosen.default_size(size.width, size.height);
-  session.chosen.check();
   if (!session.settings.quiet) print(about_layout(file.name, image));
   const PictureSize wanted{session.settings.width, session.settings.height};
   const Image converted = session.timed(

@@ -7,6 +7,7 @@
 #include "engine/draw/certainty_map.hpp"
 #include "engine/draw/gather.hpp"
 #include "engine/draw/lesson.hpp"
+#include "engine/draw/number_names.hpp"
 #include "engine/draw/render.hpp"
 #include "number/kinds/pack2.hpp"
 
@@ -102,7 +103,7 @@ template <class Work>
   }
   if constexpr (all_numbers && pack_numbers) {
     if constexpr (Work::for_packs) {
-      if (number == NumberKind::float_pack || number == NumberKind::double_pack) {
+      if (is_pack(number)) {
 #ifdef TEXMAP_WIDE_PACKS
         if (instructions == Instructions::avx512)
           return run_in_wide_packs<Instructions::avx512>(work, number);

@@ -109,6 +109,13 @@ void Chosen::offer_numbers(Numbers numbers, std::string_view no_intervals) {
 void Chosen::default_size(int width, int height) {
   if (!was_given("--width")) settings.width = width;
   if (!was_given("--height")) settings.height = height;
+  check_size();
+}
+
+void Chosen::check_size() const {
+  usage_error_if(static_cast<long>(settings.width) * settings.height > most_pixels,
+                 "--width " + std::to_string(settings.width) + " times --height " +
+                     std::to_string(settings.height) + " must be at most 67108864 (2^26) pixels");
 }
 
 bool Chosen::was_given(std::string_view option) const { return line_.was_given(option); }
@@ -136,7 +143,7 @@ void Chosen::check() {
       "has no meaning: leave --samples out");
   usage_error_if(was_given("--at") && !was_given("--zoom"),
                  "--at is the pixel that stays in its place under --zoom: give --zoom, too");
-  for (const char* option : {"--plot", "--to", "--turntable"}) {
+  for (const char* option : {"--plot", "--show", "--to", "--turntable"}) {
     usage_error_if((trade || extremes) && was_given(option),
                    std::string(trade ? "--trade" : "--extremes") +
                        " measures one picture of the lesson's scene: leave out " + option);
@@ -145,9 +152,7 @@ void Chosen::check() {
       !machine_has(settings.instructions),
       "--instructions: this machine does not have them; without the option the program uses the "
       "widest that the machine has");
-  usage_error_if(static_cast<long>(settings.width) * settings.height > most_pixels,
-                 "--width " + std::to_string(settings.width) + " times --height " +
-                     std::to_string(settings.height) + " must be at most 67108864 (2^26) pixels");
+  check_size();
   std::string lower = settings.out;
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   for (const std::string_view ending :

@@ -63,6 +63,7 @@ class Chosen {
   const Stopwatch since_start{};
 
   [[nodiscard]] bool was_given(std::string_view option) const;
+  /// The picture's size where the user gave none. Errors: UsageError for too many pixels.
   void default_size(int width, int height);
   /// Prints a text, unless the user wants none: once, not for each picture of a turn.
   void say(const std::string& text) const;
@@ -73,6 +74,7 @@ class Chosen {
   void check();
 
  private:
+  void check_size() const;
   void offer_numbers(Numbers numbers, std::string_view no_intervals);
 
   std::string default_out_;

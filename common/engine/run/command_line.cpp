@@ -29,11 +29,10 @@ std::string not_empty(std::string_view typed, const std::string& refusal) {
 bool share_a_word(std::string_view words, std::string_view others) {
   const auto between = [](std::string_view text) { return std::string("|").append(text) += '|'; };
   const std::string listed = between(others);
-  for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end + 1) {
-    end = std::min(words.find('|', begin), words.size());
-    if (listed.find(between(words.substr(begin, end - begin))) != listed.npos) return true;
-  }
-  return false;
+  const std::vector<std::string_view> all = words_between_bars(words);
+  return std::any_of(all.begin(), all.end(), [&](std::string_view word) {
+    return listed.find(between(word)) != listed.npos;
+  });
 }
 
 void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_str(), stderr); }
@@ -52,6 +51,15 @@ void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_
 }
 
 }  // namespace
+
+std::vector<std::string_view> words_between_bars(std::string_view list) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end + 1) {
+    end = std::min(list.find('|', begin), list.size());
+    words.push_back(list.substr(begin, end - begin));
+  }
+  return words;
+}
 
 int parse_whole(std::string_view option, std::string_view text, int low, int high) {
   int value = 0;

@@ -33,6 +33,9 @@ inline void usage_error_if(bool refused, const std::string& why) {
 [[nodiscard]] double parse_decimal(std::string_view option, std::string_view text, double low,
                                    double high);
 
+/// The words of a list that has | between them.
+[[nodiscard]] std::vector<std::string_view> words_between_bars(std::string_view list);
+
 /// The options of a program, and the reader of what the user typed.
 /// Errors: logic_error from whoever declares an option's name again, but for `choice`.
 class CommandLine {
@@ -95,10 +98,8 @@ class CommandLine {
   template <class Value>
   void choice(std::string_view name, Value& value, std::string_view words, std::string_view help) {
     std::vector<std::pair<std::string_view, Value>> pairs;
-    for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end + 1) {
-      end = std::min(words.find('|', begin), words.size());
-      pairs.emplace_back(words.substr(begin, end - begin), static_cast<Value>(pairs.size()));
-    }
+    for (const std::string_view word : words_between_bars(words))
+      pairs.emplace_back(word, static_cast<Value>(pairs.size()));
     choice(name, value, pairs, help);
   }
 

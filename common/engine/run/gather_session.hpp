@@ -1,5 +1,6 @@
 // Draws lessons that gather light, up to a number of samples, a time or an error.
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <limits>
@@ -10,7 +11,7 @@
 #include "engine/draw/develop.hpp"
 #include "engine/draw/draw.hpp"
 #include "engine/draw/number_names.hpp"
-#include "engine/files/system.hpp"
+#include "engine/files/stopwatch.hpp"
 #include "engine/run/command_line.hpp"
 #include "engine/run/sampling_options.hpp"
 #include "engine/run/session.hpp"
@@ -22,7 +23,7 @@ namespace texmap {
 using GatherPattern = std::function<Film(int samples, std::uint32_t pattern)>;
 
 /// All samples that the options ask for: one pattern or, with a limit, pairs of independent
-/// patterns that double in size. The difference of a pair estimates the error.
+/// patterns that double in size up to `most`. The difference of a pair estimates the error.
 ///
 /// @param most          samples per pixel
 /// @param error_so_far  set after each pair
@@ -64,12 +65,13 @@ template <class Paint>
   }
 }
 
-/// The picture of the light that a lesson gathers; prints the kernels and the error.
+/// The picture of the light that a lesson gathers; prints the kernels, and leaves the sentence
+/// about its error to the session.
 template <class Lesson>
 [[nodiscard]] Image draw_gathered(Session& session, const Lesson& lesson, int width, int height) {
   const Settings& settings = session.settings;
   const SamplingOptions& options = lesson.sampling;
-  const bool limited = options.time_limit > 0 || options.target_error > 0;
+  const bool limited = options.has_limit();
   const int most = limited && !session.chosen.was_given("--samples") ? 1 << 20 : settings.samples;
   const double reads = double{1} * width * height * most;
   if (!settings.budget.is_exact() && lesson.objects.size() > 1)
@@ -92,7 +94,6 @@ template <class Lesson>
 
   std::atomic<double> error_so_far = infinity<double>();
   session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
-  std::string sentence;
   Image image = session.timed(0, [&](RenderSettings render_settings) {
     Image picture;
     if (!limited) {  // each row is developed when it is complete
@@ -102,19 +103,29 @@ template <class Lesson>
         develop_row(light, options.transfer, picture, row);
       };
     }
+    const Stopwatch watch;
+    const auto report = render_settings.progress;
+    int before = 0;  // samples of the patterns that are complete
     const Film film =
         gather_within_limits(options, most, error_so_far, [&](int samples, std::uint32_t pattern) {
+          render_settings.progress = [&, samples](int rows, int all_rows) {
+            const double gathered = (before + double{1} * samples * rows / all_rows) / most;
+            const double passed =
+                options.time_limit > 0 ? watch.milliseconds() / (1000 * options.time_limit) : 0;
+            report(static_cast<int>(1000 * std::min(1.0, std::max(passed, gathered))), 1000);
+          };
           const auto bounds =
               bounds_of_view(objects, lesson.stage.sky, options.lens, plan.smoothing, samples);
-          return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)}, bounds,
-                        number, render_settings);
+          Film made = gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)},
+                             bounds, number, render_settings);
+          before += samples;
+          return made;
         });
     session.count_rays(static_cast<double>(width) * height * static_cast<double>(film.samples()));
-    sentence = describe_error(film, options);
+    session.sentence = describe_error(film, options);
     return limited ? develop(film, options.transfer, settings.threads) : std::move(picture);
   });
   session.remark = {};
-  if (!settings.quiet) print(sentence);
   return image;
 }
 

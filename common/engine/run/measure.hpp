@@ -69,6 +69,7 @@ Image draw_elsewhere(Chosen& chosen, Lesson lesson, bool in_float, double scale,
     lesson.bumps.step *= scale;
   }
   Settings& settings = chosen.settings;
+  settings.quiet = true;  // of one picture of many
   settings.number = in_float ? NumberKind::float_ : NumberKind::double_;
   if (!chosen.was_given("--samples")) settings.samples = std::min(settings.samples, 4);
   choose_spheres(chosen, lesson);
@@ -91,7 +92,6 @@ template <class Lesson>
   if constexpr (HasMovableScene<Lesson>) {
     if (chosen.extremes) {
       chosen.default_size(320, 240);
-      chosen.settings.quiet = true;
       show_extremes(chosen, !has_only_double<Lesson>,
                     [&](bool in_float, double scale, double moved) {
                       return draw_elsewhere(chosen, lesson, in_float, scale, moved);

@@ -42,7 +42,7 @@ void fit_to_crate(Mesh& mesh) {
 
 constexpr std::size_t most_texels = std::size_t{1} << 27;  // of all pictures of a mesh
 
-Rgb8 bytes_of(const Rgb& color) {
+Rgb8 nearest_bytes(const Rgb& color) {
   const auto byte = [](double c) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0, 1.0)));
   };
@@ -87,7 +87,7 @@ void change_channels(Image& image, const Material& material) {
   if (material.base == 0 && material.gain == 1) return;
   for (Rgb8& pixel : image.pixels) {
     const auto changed = [&](std::uint8_t c) { return material.base + material.gain * c / 255; };
-    pixel = bytes_of({changed(pixel.r), changed(pixel.g), changed(pixel.b)});
+    pixel = nearest_bytes({changed(pixel.r), changed(pixel.g), changed(pixel.b)});
   }
 }
 
@@ -144,7 +144,8 @@ Materials<published::LookUpTexture> textures_of(ObjFile& file, const std::filesy
     Look& look =
         looks[file.materials.empty() ? 0 : static_cast<std::size_t>(file.materials[i] + 1)];
     const bool is_plain = look.is_plain || std::isnan(corners[0].u);
-    if (is_plain && look.color < 0) look.color = add(Image(1, 1, bytes_of(look.material.color)));
+    if (is_plain && look.color < 0)
+      look.color = add(Image(1, 1, nearest_bytes(look.material.color)));
     made.of_triangle.push_back(is_plain ? look.color : look.picture);
     if (look.picture < 0) continue;
     const Material& material = look.material;

@@ -173,6 +173,14 @@ void BumpOptions::declare(Offer& offer) {
 }
 
 void BumpOptions::check(const Chosen& chosen) const {
+  usage_error_if(chosen.was_given("--step") && slopes == SlopeFrom::duals && normals.empty(),
+                 "--step is for differences: give --slopes forward or central, too");
+  usage_error_if(chosen.was_given("--relief-image") && height != HeightKind::image,
+                 "--relief-from has its heights from waves: leave out --relief-image");
+  for (const std::string option : {"--texture", "--turntable"}) {
+    usage_error_if(picture != BumpPicture::globe && chosen.was_given(option),
+                   option + " is for the globe: leave out --show");
+  }
   if (normals.empty()) {
     usage_error_if(chosen.was_given("--green"),
                    "--green says how to read a normal map: give --normals FILE, too");
@@ -189,7 +197,7 @@ void BumpOptions::check(const Chosen& chosen) const {
 }
 
 bool BumpOptions::paints(const Chosen& chosen) const {
-  return normals.empty() ? height == HeightKind::image : chosen.was_given("--texture");
+  return chosen.was_given("--texture") || (normals.empty() && height == HeightKind::image);
 }
 
 BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
@@ -303,6 +311,8 @@ void PhongOptions::declare(Offer& offer) {
 PhongScene PhongOptions::resolve(const Chosen& chosen) {
   const bool lecture = scene == PhongScene::lecture;
   if (lecture && !chosen.was_given("--shininess")) shininess = 500;
+  usage_error_if(formula == HighlightFormula::lecture && !chosen.settings.budget.is_exact(),
+                 "--budget is for Phong's highlight: leave out --highlight lecture");
   const KernelPlan plan = plan_highlight(chosen.settings.budget);
   if (chosen.was_given("--budget")) chosen.say(plan.text);
   power_terms = plan.power_terms;

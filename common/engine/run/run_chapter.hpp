@@ -3,6 +3,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "engine/files/system.hpp"
 #include "engine/run/check_objects.hpp"
 #include "engine/run/draw_lesson.hpp"
 #include "engine/run/measure.hpp"

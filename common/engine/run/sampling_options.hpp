@@ -21,6 +21,7 @@ struct SamplingOptions {
   Transfer transfer = Transfer::srgb;
   Lens lens{};
 
+  [[nodiscard]] bool has_limit() const { return time_limit > 0 || target_error > 0; }
   void declare(Offer& offer);
 };
 

@@ -49,6 +49,7 @@ View<> Session::view(const Camera& camera, int width, int height) {
 
 std::filesystem::path Session::file_name(std::string_view suffix) const {
   std::filesystem::path file = path_of(settings.out);
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) return file;
   std::filesystem::path name = file.stem();
   name += path_of(suffix);
   name += file.extension();
@@ -90,6 +91,8 @@ void Session::save(const Image& image, std::string_view suffix) {
   }
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
+  if (!settings.quiet && !sentence.empty()) print_about(sentence);
+  sentence.clear();
   if (!settings.quiet && times_.judged > 0) {
     print_about(text("rounding could change %ld of %ld pixels, each drawn three wide\n",
                      times_.uncertain, times_.judged));

@@ -40,7 +40,7 @@ class Session {
   /// Errors: FileError, and UsageError if --zoom or --show was given and the picture was not drawn
   /// through view(); the old file is then unchanged.
   void save(const Image& image, std::string_view suffix = "");
-  /// The name of the file that save() writes.
+  /// The name of the file that save() writes: a device has no suffix.
   [[nodiscard]] std::filesystem::path file_name(std::string_view suffix) const;
 
   /// What `work` draws with the user's settings; save() reports its time and rays.
@@ -49,6 +49,8 @@ class Session {
   void count_rays(double rays) { times_.rays += rays; }
   /// What to append to the progress line; called from any thread.
   std::function<std::string()> remark;
+  /// A line about the picture, which save() prints.
+  std::string sentence;
   /// Where save() puts a picture; null: into its file.
   Image* taken = nullptr;
   /// `diagnose` compares only every n-th column of every n-th row, from the second on.

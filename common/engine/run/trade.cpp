@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -16,15 +17,28 @@
 #include "engine/files/text.hpp"
 #include "engine/run/chosen.hpp"
 #include "engine/run/command_line.hpp"
+#include "sampling/sampler_kind.hpp"
 
 namespace texmap {
 namespace {
 
 using Words = std::vector<std::string>;
 
+/// Words as a shell reads them.
 std::string joined(const Words& words) {
   std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  for (std::string word : words) {
+    const std::string_view plain = "-=_./,:+%@";
+    const bool is_plain = std::all_of(word.begin(), word.end(), [plain](unsigned char c) {
+      return std::isalnum(c) != 0 || c >= 0x80 || plain.find(static_cast<char>(c)) != plain.npos;
+    });
+    if (!is_plain || word.empty()) {
+      for (std::size_t at = 0; (at = word.find('\'', at)) != word.npos; at += 4)
+        word.replace(at, 1, R"('\'')");
+      word = "'" + word + "'";
+    }
+    all += (all.empty() ? "" : " ") + word;
+  }
   return all;
 }
 
@@ -33,11 +47,8 @@ Words choices_of(const CommandLine& line, std::string_view name) {
   Words choices;
   for (const CommandLine::Option& option : line.options()) {
     if (option.name != name) continue;
-    const std::string& list = option.placeholder;
-    for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end + 1) {
-      end = std::min(list.find('|', begin), list.size());
-      choices.push_back(list.substr(begin, end - begin));
-    }
+    for (const std::string_view word : words_between_bars(option.placeholder))
+      choices.emplace_back(word);
   }
   return choices;
 }
@@ -129,7 +140,6 @@ TradePart same_picture(Collector& collect, const std::vector<Instructions>& pack
 
 /// Samples, samplers, filters and ways to light, which should all come near the same picture.
 std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int samples) {
-  if (line.was_given("--show")) return {};  // has one ray a pixel
   const Words samplers = collect.choices("--sampler"), filters = collect.choices("--filter");
   const auto many = [&](Words words, int times) {
     words.insert(words.end(), {"--samples", std::to_string(times)});
@@ -152,12 +162,15 @@ std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int 
     return part;
   }
   if (line.was_given("--target-error")) return {};
-  part.title = "Noise: what differs from 16 times the samples, by another seed, is an error";
-  Words other = many({}, std::min(16 * samples, 4096));
+  const int right = std::min(16 * samples, most_samples);
+  part.title = "Noise: what differs from " + std::to_string(right) +
+               " samples a pixel, by another seed, is an error";
+  Words other = many({}, right);
   if (!line.was_given("--seed")) other.insert(other.end(), {"--seed", "1"});
   part.right = collect.draw(other);
   for (const int each : {samples, std::max(samples / 4, 1), 4 * samples}) {
-    if (each != samples || part.ways.empty()) collect.add(part, many({}, each));
+    const bool is_new = each != samples || part.ways.empty();
+    if (is_new && each <= right) collect.add(part, many({}, each));
   }
   for (const std::string& sampler : samplers) collect.add(part, {"--sampler", sampler});
   for (const std::string& light : collect.choices("--light")) collect.add(part, {"--light", light});
@@ -175,7 +188,8 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
                  "--number interval draws how certain the colors are, and --trade compares "
                  "colors: leave one of them out");
   std::filesystem::path file = path_of(chosen.settings.out);
-  file = file.replace_extension() += "_trade.svg";
+  if (!std::filesystem::exists(file) || std::filesystem::is_regular_file(file))  // else a device
+    file = file.replace_extension() += "_trade.svg";
   check_output(file);
   Collector collect(line, words, drawing);
   std::vector<TradePart> parts{same_picture(collect, packs)};
@@ -200,11 +214,13 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
 }
 
 void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) {
-  for (const char* option : {"--number", "--budget"}) {
-    usage_error_if(
-        chosen.was_given(option),
-        std::string("--extremes chooses numbers and formulas itself: leave out ") + option);
+  for (const char* option : {"--number", "--budget", "--time-limit", "--target-error"}) {
+    usage_error_if(chosen.was_given(option),
+                   std::string("--extremes chooses numbers, formulas and samples itself: leave "
+                               "out ") +
+                       option);
   }
+  Progress progress(!chosen.settings.quiet);
   const Image right = draw(false, 1, 0);
   constexpr int decades = 20;
   const auto limits = std::array{1.0 / static_cast<double>(right.pixels.size()), 0.01, 0.25};
@@ -220,7 +236,7 @@ void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) 
   } ladders[] = {{"everything smaller", 0.1, false},
                  {"everything larger", 10, false},
                  {"everything moved by", 10, true}};
-  Progress progress(!chosen.settings.quiet);
+  const int pictures = (has_float ? 6 : 3) * (decades + 1);
   int done = 0;
   for (const bool in_float : {true, false}) {
     if (in_float && !has_float) continue;
@@ -237,7 +253,7 @@ void show_extremes(const Chosen& chosen, bool has_float, const DrawScene& draw) 
           if (share >= limits[i] && first[i].empty())
             first[i] = decade == 0 ? "at once" : text("%g", ladder.moves ? moved : at);
         }
-        progress.report(std::min(++done, 6 * decades), 6 * decades);
+        progress.report(++done, pictures);
       }
       lines += text("%-6s %-20s", in_float ? "float" : "double", ladder.words);
       for (const std::string& each : first)

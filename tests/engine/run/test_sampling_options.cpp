@@ -134,9 +134,10 @@ TEST_CASE(
     int most;
     std::vector<int> samples;
   };
-  for (const Row& row : {Row{0.001, 0, 200, {8, 8, 16, 16, 32, 32}}, Row{0.001, 0, 2, {1, 1}},
-                         Row{0.001, 0, 15, {7, 7}}, Row{255 * 0.26, 0, 1 << 20, {8, 8}},
-                         Row{255 * 0.24, 0, 64, {8, 8, 16, 16}}, Row{0, 1e-9, 1 << 20, {8, 8}}}) {
+  for (const Row& row :
+       {Row{0.001, 0, 200, {8, 8, 16, 16, 32, 32, 44, 44}}, Row{0.001, 0, 2, {1, 1}},
+        Row{0.001, 0, 15, {7, 7}}, Row{255 * 0.26, 0, 1 << 20, {8, 8}},
+        Row{255 * 0.24, 0, 65, {8, 8, 16, 16, 8, 8}}, Row{0, 1e-9, 1 << 20, {8, 8}}}) {
     const Gathered all(limits(row.levels, row.seconds), row.most, 0.5);
     CHECK(all.samples == row.samples);
     CHECK(all.patterns.size() == all.samples.size());

@@ -54,6 +54,20 @@ TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, enco
   CHECK(numbers_of(both.substr(0, second), folder / "turn_000.png")[1] > 1);
   CHECK(numbers_of(both.substr(second), folder / "turn_001.png")[1] == 0);
   CHECK(drawn(chapter, turn + "--quiet", folder / "turn.png").out.empty());
+#ifdef __linux__  // a device has no neighbors: each picture goes into it
+  const std::string device = drawn(chapter, turn, "/dev/null").out;
+  CHECK(device.find("/dev/null: 40") != device.rfind("/dev/null: 40"));
+#endif
+}
+
+TEST_CASE("a size that the scene enlarges is refused as a typed one is") {
+  const TemporaryFolder folder;
+  const Outcome outcome = run("\"" TEXMAP_BIN
+                              "06_phong_texture_blend\" --scene lecture --width "
+                              "16384 --out \"" +
+                              (folder / "picture.png") + "\"");
+  CHECK(outcome.err.starts_with("error: --width 16384 times --height 8192 must be at most"));
+  CHECK(outcome.status == 2);
 }
 
 TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, and write no file") {
@@ -85,6 +99,14 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
             "--normals has no heights: leave out --relief"},
            {"11_bump_and_normal_maps", "--normals bricks_normals.png --show poles",
             "--normals is for the globe: leave out --show"},
+           {"11_bump_and_normal_maps", "--step 0.1",
+            "--step is for differences: give --slopes forward or central, too"},
+           {"11_bump_and_normal_maps", "--relief-from uv --relief-image earth_relief.png",
+            "--relief-from has its heights from waves: leave out --relief-image"},
+           {"11_bump_and_normal_maps", "--show sheet --texture earth.png",
+            "--texture is for the globe: leave out --show"},
+           {"10_projections", "--to cube --projection plane",
+            "--to saves a file, and --projection draws the globe: leave one of them out"},
            {"11_bump_and_normal_maps", "--normals earth_relief.png",
             "--normals earth_relief.png: all its texels are gray; it looks like heights: use "
             "--relief-image"},
@@ -92,6 +114,8 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
             "--normals crate.png: most of its normals point inward (blue below 128), so it "
             "is no normal map. If it has heights, give it to --relief-image"},
 #ifdef TEXMAP_ALL_NUMBERS
+           {"06_phong_texture_blend", "--budget levels=1 --highlight lecture",
+            "--budget is for Phong's highlight: leave out --highlight lecture"},
            {"07_earth_by_sampling", "--budget levels=4",
             "--budget is for a lone object, which lights no other: add --scene book"},
            {"09_texture_filtering", "--zoom 2 --budget levels=4",
