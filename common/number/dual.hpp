@@ -70,7 +70,8 @@ template <class Real>
 
 template <class Real>
 [[nodiscard]] Dual<Real> abs(const Dual<Real>& x) {
-  return select(x.value < Real(0), -x, x);
+  const auto turned = [&](const Real& slope) { return select(x.value < Real(0), -slope, slope); };
+  return {abs(x.value), turned(x.dx), turned(x.dy)};
 }
 template <class Real>
 [[nodiscard]] Dual<Real> floor(const Dual<Real>& x) {

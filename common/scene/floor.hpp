@@ -10,7 +10,8 @@ struct Floor {
 };
 
 /// Distance along the ray to the floor, in lengths of `ray.direction`; +infinity for a miss.
-/// A ray that starts on the floor or runs along it misses it. Bound: 2 ulp.
+/// A ray that starts on the floor or runs along it misses it. Bound: 2 ulp
+/// for the height as `Real` has it.
 template <class Real>
 [[nodiscard]] Real distance_to(const Floor& floor, const Ray<Real>& ray) {
   const Real distance = (Real(floor.height) - ray.origin.y) / ray.direction.y;

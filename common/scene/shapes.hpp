@@ -33,7 +33,7 @@ struct Cylinder {
 /// Textbook: the roots of a quadratic in t. Here its discriminant is r^2 |d|^2 less the square of
 /// a vector product, and the root that would cancel is c / q, as for the sphere.
 /// Bound in double, up to 100 radii away: 1e-14 times the sum of all lengths, if the ray comes
-/// nearer to the axis than 0.999 radii.
+/// nearer to the axis than 0.999 radii and makes 10 degrees or more with it.
 template <class Real>
 [[nodiscard]] Real distance_to(const Cylinder& cylinder, const Ray<Real>& ray) {
   const Vec3<Real> o = ray.origin - number_cast<Real>(cylinder.center);

@@ -7,7 +7,7 @@ namespace texmap {
 
 /// Texture coordinates of a point of the floor: one copy of the picture is `size` x `size`.
 /// At the origin (1/2, 0); u grows with x, v against z, so that it reads from above, looking to -z.
-/// Bound: 2 unit roundoffs.
+/// Bound: 3 unit roundoffs, 4 in float, which rounds `size`.
 struct FloorMapping {
   double size = 1;
 

@@ -24,7 +24,7 @@ template <class Real>
 ///
 /// @param uv             any derivatives; NaN counts as a footprint wider than any texture
 /// @param width, height  of the texture in texels
-/// Bound: 6 unit roundoffs of `longer`, for `longer` above 1e-15.
+/// Bound: 6 unit roundoffs of `longer`, for `longer` above 1e-15, in float 1e-9.
 /// Source: Heckbert, "Fundamentals of Texture Mapping and Image Warping" (1989), section 3.5.8.
 template <class Real>
 [[nodiscard]] Footprint<Real> footprint_of(const Uv<Dual<Real>>& uv, const Real& width,

@@ -11,7 +11,7 @@ namespace texmap {
 
 /// A mapping for meshes: the (u, v) of the corners, mixed by their weights at the hit point.
 /// At a corner it is exactly the corner's. Coordinates may lie outside 0 to 1: see wrapped.hpp.
-/// Bound: 3 unit roundoffs of the largest coordinate, plus the error of the weights.
+/// Bound: 3 unit roundoffs of the largest coordinate, 4 in float, plus the error of the weights.
 /// Source: the triangle article; barycentric coordinates: Moebius (1827).
 struct MeshMapping {
   std::vector<std::array<Uv<double>, 3>> corners;  ///< of each triangle, in the mesh's order

@@ -22,7 +22,7 @@ template <class Real>
 /// On the upper half it is a division by |x| + |y| + |z|; the lower half is mirrored at the square
 /// through the middles of the four edges.
 ///
-/// @param p  any vector but zero. Bound: 4 unit roundoffs of 1. Source: Cigolle et al. (2014)
+/// @param p  1e-15 to 1e15 long. Bound: 4 unit roundoffs of 1. Source: Cigolle et al. (2014)
 template <class Real>
 [[nodiscard]] Uv<Real> uv_octahedral(const Vec3<Real>& p) {
   const Real scale = Real(1) / (abs(p.x) + abs(p.y) + abs(p.z));
@@ -70,7 +70,7 @@ template <class Real>
 
 /// The equal-area octahedral map, laid out as uv_octahedral: each texel has the same solid angle.
 ///
-/// @param p  any vector but zero; only its direction matters
+/// @param p  1e-15 to 1e15 long; only its direction matters
 /// Textbook: the distance from the middle is sqrt(1 - |y|). It cancels near the poles, up to 0.35
 /// texel of 4096 for p rounded to float. (x^2 + z^2) / (1 + |y|) is the same and does not.
 /// Bound: 0.001 texel of 4096 in float. Source: Clarberg (2008)

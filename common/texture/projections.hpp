@@ -62,7 +62,7 @@ template <class Real>
 /// The direction with these coordinates, of unit length: the inverse of project.
 ///
 /// @param uv  0 to 1; for `plane` inside the disk, outside it the nearest direction of its rim
-/// Bound: 8 unit roundoffs; near the rim of `plane` and the poles of `cylinder` their square root.
+/// Bound: 8 unit roundoffs; near the rim of `plane` their square root.
 template <class Real>
 [[nodiscard]] Vec3<Real> unproject(Projection projection, const Uv<Real>& uv) {
   switch (projection) {

@@ -77,9 +77,11 @@ class SkySampler {
     };
     const Real column = of_texels([&](std::uint32_t texel) { return texel % columns; });
     const Real row = of_texels([&](std::uint32_t texel) { return texel / columns; });
-    const Point2<Real> place = {
-        from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(drawn[i].place); }),
-        sample.v + Real(0x1p-25F)};  // to the middle of a step: off the texel's edges
+    const Real across =
+        from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(drawn[i].place); });
+    const Real up = sample.v + Real(0x1p-25F);  // to the middle of a step: off the texel's edges
+    // In float both may be rounded to 1.
+    const Point2<Real> place = {min(across, below_one<Real>()), min(up, below_one<Real>())};
     const Real middle_u = (column + Real(0.5)) / Real(width_);
     const Real middle_v = Real(1) - (row + Real(0.5)) / Real(height_);
     if (filter_ == TexelFilter::bilinear) {

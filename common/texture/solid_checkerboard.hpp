@@ -15,7 +15,8 @@ template <class Real>
 }
 
 /// Cubes in two colors, alternating in x, in y and in z.
-/// Domain: coordinates to 1e12. Bound: the right cube from 1 unit roundoff off its faces on.
+/// Domain: coordinates to 1e12. Bound: the right cube from 1 unit roundoff off its faces on, which
+/// are multiples of `cell` as `Real` has it.
 struct SolidCheckerboard {
   Rgb even;  ///< the cube from (0, 0, 0) to (cell, cell, cell)
   Rgb odd;

@@ -253,9 +253,11 @@ TEST_CASE("arithmetic with whole numbers and powers of two is exact, and infinit
     CHECK(same(x / Interval(2), Interval(i * 0.5)));
   }
   CHECK(same(sqrt(Interval(0, 1)), Interval(0, 1)));
+  CHECK(sqrt(Interval(1 - 0x1p-53)).high() == 1);  // 1 - 2^-54 is no double
   // Not where digits drop off the end of the range.
   CHECK((Interval(3 * tiny) * Interval(0.5)).contains(1.5L * static_cast<long double>(tiny)));
   CHECK_FALSE((Interval(3 * tiny) * Interval(0.5)).is_point());
+  CHECK((Interval(2 - 0x1p-52) * Interval(0x1p-1023)).low() < 0x1p-1022);  // less by half of tiny
   CHECK(same(Interval(huge) * Interval(2), Interval(huge, inf)));
   CHECK(same(Interval(huge) + Interval(huge), Interval(huge, inf)));
   CHECK(same(Interval(inf) + Interval(5), Interval(inf)));

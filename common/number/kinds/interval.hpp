@@ -186,9 +186,9 @@ class Interval {
   friend Interval sqrt(const Interval& a) {
     if (!(a.low_ >= 0)) return anything();
     // Only 0, 1 and infinity have an exact root that is known without computing.
-    const double low = std::sqrt(a.low_);
-    const double high = std::sqrt(a.high_);
-    return {lower(low, low == a.low_), upper(high, high == a.high_)};
+    const auto is_known = [](double x) { return x == 0 || x == 1 || x == infinite; };
+    return {lower(std::sqrt(a.low_), is_known(a.low_)),
+            upper(std::sqrt(a.high_), is_known(a.high_))};
   }
   friend Interval exp(const Interval& a) {
     if (a.is_anything()) return a;
@@ -302,7 +302,7 @@ class Interval {
   }
   [[nodiscard]] static constexpr bool has_all_digits(double x) {
     const double size = x < 0 ? -x : x;
-    return size >= std::numeric_limits<double>::min() && size < infinite;
+    return size > std::numeric_limits<double>::min() && size < infinite;  // it may be rounded up
   }
   [[nodiscard]] static constexpr double least(double a, double b) { return a < b ? a : b; }
   [[nodiscard]] static constexpr double most(double a, double b) { return a > b ? a : b; }
