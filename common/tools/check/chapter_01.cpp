@@ -382,6 +382,7 @@ ExercisesOfChapter all_exercises_of_chapter() {
       {"a sphere between two lamps hides neither: 1", {up, up, {{-4, 8, 0}, {4, 8, 0}}, all}},
       {"rounding put the point 1e-12 below its own sphere: this sphere does not hide the lamp",
        {{0, 1 - 1e-12, 0}, up, {{5, 5, 0}}, all}},
+      {"the same, with a sphere before the lamp: 0", {{0, 1 - 1e-12, 0}, up, {{0, 8, 0}}, all}},
       {"a point under a sphere sees a lamp below it", {down, down, {{5, -5, 0}}, all}},
       {"a sphere behind the lamp does not hide the lamp", {up, up, {{0, 3, 0}}, all}},
       {"a sphere 5 times as far away hides nothing", {{0, 4.5, 0}, up, {{0, 7.3, 0}}, all}},
@@ -421,7 +422,8 @@ ExercisesOfChapter all_exercises_of_chapter() {
         "How bright is the surface at 0 degrees? Half of that is the ambient light and a part of "
         "the lamp's.",
         {{60, "there the lamp's part is a half, but the ambient light stays"},
-         {51.32,
+         {51.32, "the ambient light stays where the light is slanted: 0.2 + 0.8 cos is the half"},
+         {75.52,
           "the ambient light counts where the light falls straight, too: that is 1, not 0.8"}}}},
   };
 }

@@ -158,8 +158,15 @@ constexpr Place<Vec3d> uv_of_places[] = {
     {"45 degrees south of -z, v is 1/4", {{0, -half_root, -half_root}}},
     {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
     {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
+    {"in the direction (-2, -1, -2) / 3", {{-2. / 3, -1. / 3, -2. / 3}}},
     {"at the north pole v is 1, also where rounding made y more than 1", {{1e-12, 1 + 0x1p-52, 0}}},
+    {"at the south pole v is 0, also where rounding made y less than -1",
+     {{1e-12, -1 - 0x1p-52, 0}}},
 };
+/// At a pole any u is right.
+Place2 within_the_poles(const Place2& uv, const Vec3d& p) {
+  return {std::abs(p.y) < 1 ? uv.u : 0, uv.v};
+}
 
 Vec3d right_walk(Vec3d p, Vec3d center, double radius, double du, double dv) {
   const Place2 uv = uv_rtiow(p - center);
@@ -239,6 +246,7 @@ constexpr Place<Vec3d, Vec3d, double, double, double> after_walk_places[] = {
     {"around (4, -1, 2), radius 3, from (2, 0, 4)", {{2, 0, 4}, {4, -1, 2}, 3, 0.1, 0.2}},
     {"the north pole stays, also where rounding made y more than 1",
      {{1e-12, 1 + 0x1p-52, 0}, zero, 1, 0.25, 0}},
+    {"the south pole stays, too", {{1e-12, -1 - 0x1p-52, 0}, zero, 1, 0.25, 0}},
 };
 
 Place2 right_bricks(Place2 uv, int squares) {
@@ -297,7 +305,8 @@ constexpr Place<Place2, int> as_bricks_places[] = {
 ExercisesOfChapter all_exercises_of_chapter() {
   return {
       "02",
-      {exercise(chapter_02::uv_of, picture<Lesson>(), {right_place, wrong_places, uv_of_places}),
+      {exercise(chapter_02::uv_of, picture<Lesson>(),
+                {right_place, wrong_places, uv_of_places, within_the_poles}),
        exercise(after_walk, picture<Lesson>(),
                 {right_walk, wrong_or_not_limited, after_walk_places}),
        exercise(as_bricks, picture<Lesson>({}, 22),

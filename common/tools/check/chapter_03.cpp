@@ -294,6 +294,7 @@ ExercisesOfChapter all_exercises_of_chapter() {
         {"", 0},
         "Where on the map is longitude 0, and how many columns are 360 degrees?",
         {{76, "longitude 0 is in the middle of the map, not at its left edge"},
+         {76.23, "longitude 0 is in the middle of the map, not at its left edge"},
          {1101, "columns are numbered from 0: cut off the decimals"},
          {1100.23, "the number of a column is whole: cut off the decimals"}}},
        {"The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "

@@ -100,9 +100,19 @@ constexpr Place<Vec3d, Vec3d, bool, bool> uv_in_places[] = {
     {"v north: there v is 3/4", {{half_root, half_root, 0}, z_axis, false, true}},
     {"seam on (0.6, 0, -0.8), u east, v north", {{-2. / 3, 1. / 3, 2. / 3}, oblique, true, true}},
     {"the same, u west, v south", {{-2. / 3, 1. / 3, 2. / 3}, oblique, false, false}},
+    {"seam on (0.6, 0, -0.8), in the direction (-2, -1, -2) / 3",
+     {{-2. / 3, -1. / 3, -2. / 3}, oblique, true, true}},
+    {"v north: at the north pole v is 1, also where rounding made y more than 1",
+     {{1e-12, 1 + 0x1p-52, 0}, x_axis, true, true}},
     {"v south: at the north pole v is 0, also where rounding made y more than 1",
      {{1e-12, 1 + 0x1p-52, 0}, x_axis, true, false}},
 };
+
+/// At a pole any u is right.
+Place2 within_the_poles(const Place2& uv, const Vec3d& p, Vec3d /*seam*/, bool /*to_east*/,
+                        bool /*to_north*/) {
+  return {std::abs(p.y) < 1 ? uv.u : 0, uv.v};
+}
 
 /// The globe with the lecture's picture, whose columns the student moves.
 Image globe_of_columns() {
@@ -232,7 +242,7 @@ ExercisesOfChapter all_exercises_of_chapter() {
   return {
       "04",
       {exercise(uv_in, [] { return picture_of(daily_lesson("earth.png"), 18); },
-                {right_place, wrong_places, uv_in_places}),
+                {right_place, wrong_places, uv_in_places, within_the_poles}),
        exercise(old_column, globe_of_columns,
                 {right_column,
                  wrong_columns,

@@ -318,6 +318,7 @@ ExercisesOfChapter all_exercises_of_chapter() {
         {"", 0},
         "A quarter of the pixel sends out light. Which encoded number has a quarter of the light?",
         {{64, "this is the mean of the bytes: average the light, and encode it"},
+         {136, "bytes are rounded to the nearest here, not cut off"},
          {225, "this is three quarters of the light: a quarter of the pixel is white"}}},
        {"Draw a white globe (albedo 1) alone, with --scene book. How many pixels differ from the "
         "sky?",

@@ -253,6 +253,8 @@ ExercisesOfChapter all_exercises_of_chapter() {
       {"exactly on that edge of a neighbor: a hit, too", Window{{-2, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
       {"exactly through a corner: a hit", moved_house(0, -3)},
       {"on the line through an edge, but outside: a miss", Window{near, far, top}},
+      {"on the lines through two edges, but outside: a miss",
+       Window{{1, 1, 0}, {2, 2, 0}, {2, -2, 0}, {1, -1, 0}}},
       {"from the side, all on a line beside the ray: a miss",
        Window{{-1, 1, 0}, {1, 1, 0}, {3, 1, 0}}},
       {"from the side, all on a line through the ray: a miss",

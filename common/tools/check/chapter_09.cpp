@@ -134,7 +134,7 @@ constexpr Place<int, int> repeated_column_places[] = {
     {"column 70 of 8 is column 6", {70, 8}},
     {"column -70 of 8 is column 2", {-70, 8}},
     {"column -10 of 6 is column 2", {-10, 6}},
-    {"far away, column -100001 of 4 is column 3", {-100001, 4}},
+    {"far away, column -2147483645 of 4 is column 3", {-2147483645, 4}},
 };
 
 using Frames = std::vector<Rgb>;
@@ -280,7 +280,7 @@ ExercisesOfChapter all_exercises_of_chapter() {
       {"after 11.5 seconds the film runs again: as after 3.5", {four, 8, 11.5}},
       {"3 frames in 1 second, after 0.3: frame 0 counts 0.6 and frame 1 counts 0.4",
        {three, 1, 0.3}},
-      {"3 frames in 1 second, after 20.9", {three, 1, 20.9}},
+      {"3 frames in 1 second, after 2.9", {three, 1, 2.9}},
   };
   return {
       "09",
@@ -294,7 +294,8 @@ ExercisesOfChapter all_exercises_of_chapter() {
         [] { return double(byte_of(shown_light(gray(0.5)).g)); },
         {"", 0},
         "Half of the light is not half of the byte: which curve is between them?",
-        {{128, "this is the mean of the bytes: the mean of the light has to be encoded"}}},
+        {{128, "this is the mean of the bytes: the mean of the light has to be encoded"},
+         {187, "bytes are rounded to the nearest here, not cut off"}}},
        {"How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
         "together?",
         [] {

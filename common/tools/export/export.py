@@ -115,6 +115,13 @@ def export(root, folder, chosen):
         return path.startswith('chapters/') and name and name not in pages.get(
             f'{chapter}/README.md', name)
     kept = {path for path in kept if not is_somebodys(path)}
+    written = {f'tests/exercises/{path[9:11]}_{path.partition("/exercises/")[2][0]}.hpp'
+               for path in kept if path.startswith('chapters/') and '/exercises/' in path}
+    for path in sorted(kept):
+        if re.match(r'tests/exercises/\d\d_\d\.hpp$', path) and path not in written:
+            print(f'left out: {path}, since its chapter\'s page names no file of it',
+                  file=sys.stderr)
+            kept.remove(path)
     for path, text in pages.items():
         pages[path] = text = ANSWER.sub('\n', text)
         for url in [link[3]
