@@ -184,7 +184,7 @@ Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail
   figures.width = a.width;
   figures.height = a.height;
 
-  // One pass over the pixels. The sums are exact: at most 3 * 2^26 squares of 255.
+  // One pass over the pixels. The sums are exact: at most 3 * 2^27 squares of 255.
   std::uint64_t absolute = 0, squared = 0, of_a = 0, of_b = 0;
   int left = a.width, right = -1, top = a.height, bottom = -1;
   for (int row = 0; row < a.height; ++row) {

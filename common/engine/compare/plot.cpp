@@ -72,7 +72,7 @@ struct Axis {
   }
 };
 
-/// The number at a mark: 0.001 to 1000 written out, others as 1e-5.
+/// The number at a mark: 0.001 to 9999 written out, others as 1e-5.
 std::string tick_text(double value) {
   if (value > 0.0009 && value < 10000) return text("%g", value);
   const double exponent = std::floor(std::log10(value) + 1e-9);

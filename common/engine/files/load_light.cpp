@@ -13,7 +13,7 @@ namespace texmap {
 LightImage load_light(const std::filesystem::path& path, std::string* note) {
   return with_name("cannot load texture", path, [&] {
     const auto file = read_file(path, max_file_bytes);
-    if (looks_like_hdr(file)) return read_hdr(file, max_light_texels);
+    if (looks_like_hdr(file)) return read_hdr(file, max_light_texels, note);
     if (!looks_like_png(file) && !looks_like_jpeg(file)) refuse_kind(file, true);
     const Image image = decode_image(file, note);
     check_sky_size(

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t max_light_texels = std::uint64_t{1} << 23;
 /// the sRGB curve, so theirs is at most 1.
 ///
 /// @param path  a regular file of 1 byte to 64 MiB with at most max_light_texels pixels
-/// @param note  if there, gets what decode_image says
+/// @param note  if there, gets what decode_image or read_hdr says
 /// Errors: FileError `cannot load texture 'F': why`, never a part of a picture; std::bad_alloc.
 [[nodiscard]] LightImage load_light(const std::filesystem::path& path, std::string* note = nullptr);
 

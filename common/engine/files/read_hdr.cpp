@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/files/color_profile.hpp"
 #include "engine/files/file_error.hpp"
 #include "engine/files/image_limits.hpp"
 #include "engine/files/pixel_order.hpp"
@@ -32,6 +33,8 @@ using Rgbe = std::array<std::uint8_t, 4>;
 class Reader {
  public:
   explicit Reader(Bytes file) : rest_(file) {}
+
+  std::string note;
 
   LightImage read(std::uint64_t most_texels) {
     const std::array<double, 3> exposure = header();
@@ -78,15 +81,26 @@ class Reader {
         for (double& product : exposure) multiply(product, typed, line);
       }
       if (std::string_view typed = value_of("COLORCORR="); !typed.empty()) {
-        for (double& product : exposure) {
-          const std::size_t end = std::min(typed.find_first_of(" \t"), typed.size());
-          multiply(product, typed.substr(0, end), line);
-          typed.remove_prefix(std::min(typed.find_first_not_of(" \t", end), typed.size()));
+        for (double& product : exposure) multiply(product, take_word(typed), line);
+      }
+      if (std::string_view typed = value_of("PRIMARIES="); !typed.empty()) {
+        // Radiance's own are those of sRGB, around a white of 1/3 and 1/3. Some programs write 0.
+        for (const double usual : {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329}) {
+          const double stated = read_decimal(take_word(typed)).value_or(0);
+          if (stated != 0 && std::abs(stated - usual) > 0.025)
+            note = not_in_srgb("a space with primaries of its own (PRIMARIES)");
         }
       }
     }
     if (!has_format) damaged("it states no format");
     return exposure;
+  }
+
+  static std::string_view take_word(std::string_view& line) {
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string_view word = line.substr(0, end);
+    line.remove_prefix(std::min(line.find_first_not_of(" \t", end), line.size()));
+    return word;
   }
 
   static void multiply(double& product, std::string_view typed, std::string_view line) {
@@ -219,8 +233,11 @@ bool looks_like_hdr(Bytes file) {
   return file.size() > 2 && file[0] == '#' && file[1] == '?';  // then RADIANCE, RGBE or a program
 }
 
-LightImage read_hdr(Bytes file, std::uint64_t most_texels) {
-  return Reader(file).read(most_texels);
+LightImage read_hdr(Bytes file, std::uint64_t most_texels, std::string* note) {
+  Reader reader(file);
+  LightImage light = reader.read(most_texels);
+  if (note != nullptr) *note = reader.note;
+  return light;
 }
 
 }  // namespace texmap

@@ -16,8 +16,10 @@ inline constexpr double brightest_texel = 1e12;
 /// with runs of either kind. Texels are the middles of their steps; a byte 0 has no light.
 ///
 /// @param most_texels   more are refused before any is decoded
+/// @param note          if there, gets what the user should know of the colors
 /// Errors: FileError unless the picture is whole and RGBE; std::bad_alloc.
 /// Source: Ward, "Real Pixels", Graphics Gems II (1991); Radiance's color.c.
-[[nodiscard]] LightImage read_hdr(Bytes file, std::uint64_t most_texels);
+[[nodiscard]] LightImage read_hdr(Bytes file, std::uint64_t most_texels,
+                                  std::string* note = nullptr);
 
 }  // namespace texmap

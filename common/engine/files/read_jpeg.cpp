@@ -246,9 +246,11 @@ class Reader {
 
   PixelOrder order;
   std::string profile;  // what its user should know of it
+  [[nodiscard]] bool is_cmyk() const { return channels_.size() == 4; }
 
   ImageSize read() {
     for (std::uint32_t marker = take_marker(); marker != 0xD9; marker = take_marker()) {
+      if (marker >= 0xD0 && marker <= 0xD7) continue;  // a restart behind the last unit
       const Bytes data = take_segment();
       const bool comment = (marker >= 0xE0 && marker <= 0xEF) || marker == 0xFE;
       if (constexpr std::string_view exif("Exif\0\0", 6);
@@ -285,6 +287,8 @@ class Reader {
   // The file as a row of segments.
 
   std::uint32_t take_marker() {
+    // Some files have bytes between segments. The decoder skips them, but not behind the frame.
+    while (channels_.empty() && !rest_.empty() && rest_[0] != 0xFF) rest_ = rest_.subspan(1);
     require_jpeg(rest_.empty() || rest_[0] == 0xFF,
                  "a segment does not begin where the one before it ends");
     while (!rest_.empty() && rest_[0] == 0xFF) rest_ = rest_.subspan(1);
@@ -634,7 +638,7 @@ Image read_jpeg(Bytes file, std::string* note, int later_bytes, bool has_colors)
   });
   if (note != nullptr) {
     if (order != PixelOrder{}) add_note(*note, turned_by_exif);
-    if (has_colors) add_note(*note, reader.profile);
+    if (has_colors) add_note(*note, reader.is_cmyk() ? not_in_srgb("CMYK") : reader.profile);
   }
   return image;
 }

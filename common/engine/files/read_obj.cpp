@@ -30,8 +30,9 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 // True if a line goes on in the next. A comment ends with its line; a name may end with the sign.
 bool goes_on(std::string_view line) {
   if (line.empty() || line.back() != '\\' || line.find('#') != line.npos) return false;
+  const char first = *std::find_if_not(line.begin(), line.end(), is_blank);
   const char before = line.size() > 1 ? line[line.size() - 2] : ' ';
-  return line.front() == 'v' || line.front() == 'f' || is_blank(before);
+  return first == 'v' || first == 'f' || is_blank(before);
 }
 
 // The words of a line up to a comment; 1.#QNAN has none.
@@ -49,16 +50,22 @@ void split_words(std::string_view line, Words& words) {
     if (c == '#' && i > 0 && line[i - 1] == '.') continue;
     if (c == ' ' || c == '\t' || c == '#') end_word(i);
     if (c == '#') in_comment = true;
-    if (c == '\0' || c == '\r' || c == '\f' || c == '\v')
-      throw FileError("it has a byte that is not text; is this an OBJ file?");
+    if (c == '\r') throw FileError("it has a carriage return inside: save it with line feeds");
+    if (c == '\0' || c == '\f' || c == '\v')
+      throw FileError("it has a byte that is not text: save it as UTF-8");
   }
   end_word(line.size());
 }
 
-// As programs write the result of 0 / 0: nan, -nan(ind), 1.#QNAN, -1.#IND00.
-bool is_nan(std::string_view word) {
+std::string in_small_letters(std::string_view word) {
   std::string lower;
   for (const char c : word.substr(0, 24)) lower += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return lower;
+}
+
+// As programs write the result of 0 / 0: nan, -nan(ind), 1.#QNAN, -1.#IND00.
+bool is_nan(std::string_view word) {
+  const std::string lower = in_small_letters(word);
   return lower.find("nan") != lower.npos || lower.find("#ind") != lower.npos;
 }
 
@@ -90,11 +97,17 @@ int index_of(std::string_view word, std::size_t entries, const char* what) {
   return static_cast<int>(from_zero);
 }
 
-// A name with its blanks: from a word to the end of the line, or to a comment behind a blank.
+// A name with its blanks: from a word to the end of the line, or to a comment, a # between blanks:
+// names may end with #1. Some programs put names into quotes.
 std::string_view name_from(std::string_view line, std::string_view word) {
   std::string_view name = line.substr(static_cast<std::size_t>(word.data() - line.data()));
-  name = name.substr(0, std::min(name.find(" #"), name.find("\t#")));
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    if (name[i] == '#' && is_blank(name[i - 1]) && (i + 1 == name.size() || is_blank(name[i + 1])))
+      name = name.substr(0, i);
+  }
   while (is_blank(name.back())) name.remove_suffix(1);
+  if (name.size() > 2 && name.front() == '"' && name.back() == '"')
+    name = name.substr(1, name.size() - 2);
   return name;
 }
 
@@ -145,6 +158,7 @@ class ObjReader {
       note("skipped the lines that are no textured triangles: " + list +
            (skipped_.size() < most_skipped ? "" : ", and perhaps others"));
     }
+    note(colored_, "points with a color of their own", "; it is not drawn");
     note(without_uv_, "faces without texture coordinates", "; they have a plain color");
     note(without_normals_, "faces without their normals (vn)", "; they are flat");
     note(crossing_,
@@ -175,17 +189,17 @@ class ObjReader {
   }
 
  private:
-  // How many faces, and the line of the first.
-  struct Faces {
+  // How many faces or points, and the line of the first.
+  struct Counted {
     int number = 0, first = 0;
   };
-  void count(Faces& faces) const {
-    if (faces.number++ == 0) faces.first = number_;
+  void count(Counted& some) const {
+    if (some.number++ == 0) some.first = number_;
   }
   void note(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
-  void note(const Faces& faces, const char* what, const char* so) {
-    if (faces.number > 0)
-      note(text("%s: %d, the first in line %d%s", what, faces.number, faces.first, so));
+  void note(const Counted& some, const char* what, const char* so) {
+    if (some.number > 0)
+      note(text("%s: %d, the first in line %d%s", what, some.number, some.first, so));
   }
 
   // Another statement of the format, or a program's own.
@@ -198,11 +212,12 @@ class ObjReader {
 
   void add_point() {
     const std::size_t numbers = words_.size() - 1;
-    if (numbers != 3 && numbers != 4 && numbers != 6)  // with a weight; with a color
+    if (numbers != 3 && numbers != 4 && numbers != 6 && numbers != 7)
       throw FileError("a point has 3 numbers, not " + std::to_string(numbers));
     const Point p{coordinate(words_[1]), coordinate(words_[2]), coordinate(words_[3])};
     if (numbers == 4 && coordinate(words_[4]) != 1)
       throw FileError("a point with the weight " + quoted(words_[4]) + "; only 1 is supported");
+    if (numbers > 4) count(colored_);
     result_.mesh.points.push_back(p);
   }
 
@@ -247,9 +262,9 @@ class ObjReader {
     const int point = index_of(word.substr(0, slash), result_.mesh.points.size(), "points (v)");
     const int at = uv.empty() ? -1 : index_of(uv, uvs_.size(), "texture coordinates (vt)");
     int normal = 0;
-    if (const std::size_t second = rest.find('/'); second != std::string_view::npos) {
+    if (const std::size_t second = rest.find('/'); second < rest.size() - 1) {
       const char *const from = rest.data() + second + 1, *const end = rest.data() + rest.size();
-      if (from == end || std::from_chars(from, end, normal).ptr != end)
+      if (std::from_chars(from, end, normal).ptr != end)
         throw FileError("the corner " + quoted(word) + " is not point/texture/normal");
       const auto& normals = result_.normals.points;
       const int entries = static_cast<int>(normals.size());
@@ -304,7 +319,7 @@ class ObjReader {
   std::vector<Uv<double>> uvs_;
   int number_ = 0;                                    // of the line
   std::vector<std::pair<std::string, int>> skipped_;  // what else lines begin with; the first one
-  Faces without_uv_, without_normals_, crossing_;
+  Counted colored_, without_uv_, without_normals_, crossing_;
   std::map<std::string, int> materials_;
   int material_ = -1;
   std::size_t looks_ = most_polygon_looks;
@@ -330,9 +345,10 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
   Words words;
   for_each_line(text, [&](std::string_view line, int) {
     split_words(line, words);
-    if (words.size() < 2) return;
-    if (words[0] == "newmtl") material = &materials[std::string(name_from(line, words[1]))];
-    if (material == nullptr) return;
+    const std::string kind = words.empty() ? "" : in_small_letters(words[0]);
+    if (kind == "newmtl")
+      material = &materials[words.size() > 1 ? std::string(name_from(line, words[1])) : ""];
+    if (words.size() < 2 || material == nullptr) return;
     // The numbers from a word on, at most three.
     const auto numbers_at = [&](std::size_t first) {
       std::vector<double> numbers;
@@ -343,10 +359,10 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
       }
       return numbers;
     };
-    if (words[0] == "Kd") {
+    if (kind == "kd") {
       if (const auto rgb = numbers_at(1); rgb.size() == 3 || rgb.size() == 1)
         material->color = {rgb.front(), rgb[rgb.size() / 2], rgb.back()};
-    } else if (words[0] == "map_Kd") {
+    } else if (kind == "map_kd") {
       *material = {.color = material->color};
       std::size_t i = 1;
       while (i < words.size() && words[i].front() == '-') {

@@ -54,37 +54,46 @@ std::vector<Pass> passes_of(const PngHeader& header) {
   return passes;
 }
 
-// How many bytes a zlib stream unpacks to; -1 if it is damaged or they are too many.
-std::ptrdiff_t unpack(Bytes stream, std::span<std::uint8_t> to) {
+// How many bytes a zlib stream unpacks to, and where its checksum may begin.
+struct Unpacked {
+  std::ptrdiff_t made = -1;  // -1: it is damaged, or they are too many
+  std::size_t first = 0, last = 0;
+};
+Unpacked unpack(Bytes stream, std::span<std::uint8_t> to) {
 #ifdef TEXMAP_HAVE_LIBDEFLATE
   // RFC 1950, section 2.2: two bytes say that it is deflate, without a dictionary. The checksum is
   // compared later, so that an error can name it.
   const std::uint32_t header = big_endian_16(stream, 0);
-  if (header % 31 != 0 || (header & 0x0F20U) != 0x0800U) return -1;
+  if (header % 31 != 0 || (header & 0x0F20U) != 0x0800U) return {};
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
       decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
   if (!decompressor) throw std::bad_alloc();
-  std::size_t made = 0;
-  const libdeflate_result result = libdeflate_deflate_decompress(
-      decompressor.get(), stream.data() + 2, stream.size() - 6, to.data(), to.size(), &made);
-  return result == LIBDEFLATE_SUCCESS ? static_cast<std::ptrdiff_t>(made) : -1;
+  std::size_t used = 0, made = 0;
+  const libdeflate_result result = libdeflate_deflate_decompress_ex(
+      decompressor.get(), stream.data() + 2, stream.size() - 6, to.data(), to.size(), &used, &made);
+  if (result != LIBDEFLATE_SUCCESS) return {};
+  return {static_cast<std::ptrdiff_t>(made), 2 + used, 2 + used};
 #else
-  return stbi_zlib_decode_buffer(reinterpret_cast<char*>(to.data()), static_cast<int>(to.size()),
-                                 reinterpret_cast<const char*>(stream.data()),
-                                 static_cast<int>(stream.size()));
+  return {stbi_zlib_decode_buffer(reinterpret_cast<char*>(to.data()), static_cast<int>(to.size()),
+                                  reinterpret_cast<const char*>(stream.data()),
+                                  static_cast<int>(stream.size())),
+          2, stream.size() - 4};
 #endif
 }
 
-// Inflates the rows, all still filtered, into exactly as many bytes as the header promises.
+// Inflates the rows, all still filtered, into exactly as many bytes as the header promises. Some
+// files have unused bytes behind the stream, to be ignored.
 void inflate(Bytes compressed, std::span<std::uint8_t> rows) {
-  const std::ptrdiff_t made = unpack(compressed, rows);
+  const auto [made, first, last] = unpack(compressed, rows);
   const std::string promised = std::to_string(rows.size());
   if (made < 0)
     damaged_png("its pixels do not unpack to the " + promised + " bytes they should be");
   if (static_cast<std::size_t>(made) != rows.size())
     damaged_png("its pixels end after " + std::to_string(made) + " of " + promised + " bytes");
-  if (adler32(rows) != big_endian_32(compressed, compressed.size() - 4))
-    damaged_png("the checksum of its pixels is wrong");
+  const std::uint32_t sum = adler32(rows);
+  std::size_t at = first;
+  while (at <= last && big_endian_32(compressed, at) != sum) ++at;
+  if (at > last) damaged_png("the checksum of its pixels is wrong");
 }
 
 std::uint8_t paeth(int left, int above, int corner) {
@@ -285,11 +294,11 @@ std::string note_on_colors(const PngChunks& png) {
   }
   constexpr std::array<int, 8> of_srgb = {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000};
   for (std::size_t i = 0; 4 * i < png.primaries.size(); ++i)
-    if (std::abs(static_cast<int>(big_endian_32(png.primaries, 4 * i)) - of_srgb[i]) > 1000)
+    if (std::abs(std::int64_t{big_endian_32(png.primaries, 4 * i)} - of_srgb[i]) > 1000)
       return not_in_srgb("a space with primaries of its own (cHRM)");
-  std::array<std::uint8_t, 1 << 16> profile;  // larger ones are not looked at
   if (png.profile.size() < 6) return {};
-  const std::ptrdiff_t size = unpack(png.profile, profile);
+  std::vector<std::uint8_t> profile(1 << 16);  // larger ones are not looked at
+  const std::ptrdiff_t size = unpack(png.profile, profile).made;
   return size < 0 ? "" : note_on_profile(Bytes(profile).first(static_cast<std::size_t>(size)));
 }
 

@@ -81,6 +81,8 @@ TEST_CASE("what is not drawn as the file says is told in a line, each word once"
                             "'p' (line 6), 'l' (line 7), 'fo' (line 8), 'curv2' (line 10)",
                             "faces without texture coordinates: 1, the first in line 12; "
                             "they have a plain color"});
+  CHECK(read_obj("v 0 0 1 1 0 0\n" + triangle).notes ==
+        Notes{"points with a color of their own: 1, the first in line 1; it is not drawn"});
   std::string many = triangle;
   for (int i = 0; i < 1000; ++i) many += "word" + std::to_string(i) + "\n";
   CHECK(read_obj(many).notes.at(0).ends_with("'word15' (line 21), and perhaps others"));
@@ -151,6 +153,17 @@ TEST_CASE("a material is its picture, with blanks and options, or its color") {
   CHECK(read.at("c").color.b == 0.25);
   CHECK(read.at("d").color.r == 0.8);
   CHECK(read.at("d").picture.empty());
+}
+
+TEST_CASE("names with # and in quotes, words in any letters, and a material without a name") {
+  const std::map<std::string, Material> read = read_mtl(
+      "newmtl Grey #1\nkd 1 0 0\nnewmtl Grey #2 # the second\nKd 0 1 0\nmap_kd \"my wood.png\"\n"
+      "newmtl\nKd 0 0 1\n");
+  CHECK(read.size() == 3);
+  CHECK(read.at("Grey #1").color.g == 0);
+  CHECK(read.at("Grey #2").color.g == 1);
+  CHECK(read.at("Grey #2").picture == "my wood.png");
+  CHECK(read.at("").color.b == 1);
 }
 
 TEST_CASE("numbers, indices and fans arrive as they are in the file") {
