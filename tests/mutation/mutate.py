@@ -263,6 +263,12 @@ def copy_project(tree):
             path.unlink()
 
 
+def names(path, headers):
+    """Whether a file includes one of the headers by its name."""
+    text = path.read_text()
+    return any(f'#include "{header}"' in text for header in headers)
+
+
 def is_clean(name):
     return (BUILD / name).read_bytes() == (CLEAN / name).read_bytes()
 
@@ -343,13 +349,23 @@ class Build:
                 shutil.copy2(CLEAN / name, BUILD / name)
 
     def judged(self, mutant, stale):
-        """Builds and runs suites, the file's own first, then its room's, then the cheapest; then
-        everything, unless only the nearest are asked."""
+        """Builds and runs suites, the file's own first, then those that name its header, or one
+        that names it, then its room's, then the cheapest; then everything, unless only the nearest
+        are asked."""
         room = Path(mutant.path).parent.relative_to('common')
-        rooms = {path.stem: path.parent for path in (TREE / 'tests').rglob('test_*.cpp')}
+        sources = {path.stem: path for path in (TREE / 'tests').rglob('test_*.cpp')}
+        header = str(Path(mutant.path).with_suffix('.hpp').relative_to('common'))
+        by_others = {str(path.relative_to(TREE / 'common'))
+                     for path in (TREE / 'common').rglob('*.hpp') if names(path, {header})}
+
+        def steps(test):  # from its source to the header
+            source = sources.get(test)
+            return 3 if not source else 1 if names(source, {header}) else 2 if names(
+                source, by_others) else 3
         suites = sorted((test for test, program in self.program_of.items() if program in stale),
-                        key=lambda test: (test != 'test_' + Path(mutant.path).stem,
-                                          rooms.get(test) != TREE / 'tests' / room,
+                        key=lambda test: (test != 'test_' + Path(mutant.path).stem, steps(test),
+                                          test in sources
+                                          and sources[test].parent != TREE / 'tests' / room,
                                           self.compiled_in.get(test, 0)))
         asked = suites[:self.near] if self.near else suites
         for first in range(0, len(asked), self.jobs):
@@ -404,8 +420,9 @@ def main():
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--near', type=int, default=0, metavar='SUITES',
-                        help='where more suites include the file, run so many: its own, those of '
-                        'its room, the cheapest; mutants then survive that others would find')
+                        help='where more suites include the file, run so many: its own, those '
+                        'that name its header, the cheapest; mutants then survive that others '
+                        'would find')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
     options = parser.parse_args()
     mutants = all_mutants(options.files)
