@@ -294,7 +294,8 @@ Family claims_of_maps() {
     }
     family.add<Real>("on_circle", "-10 to 10 turns", {2, "u"}, worst_turn<Real>());
     family.add<Real>("footprint_of, longer side",
-                     "derivatives of 1e-12 to 1e3 of either sign, the largest above 1e-7, textures of 1 to 8192 texels",
+                     "derivatives of 1e-12 to 1e3 of either sign, the largest above 1e-7, textures "
+                     "of 1 to 8192 texels",
                      {6, "u"}, worst_side<Real>());
     family.add<Real>("footprint_of, range", "anything the type can hold, infinities and NaN too",
                      {0, "sides outside 0 to 2^25 texels"}, sides_outside<Real>());

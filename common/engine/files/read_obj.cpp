@@ -345,8 +345,10 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
   Words words;
   for_each_line(text, [&](std::string_view line, int) {
     split_words(line, words);
-    const std::string kind = words.empty() ? "" : in_small_letters(words[0]);
-    if (kind == "newmtl")
+    const auto begins_with = [&](std::string_view word) {  // some programs write map_kd
+      return !words.empty() && in_small_letters(words[0]) == in_small_letters(word);
+    };
+    if (begins_with("newmtl"))
       material = &materials[words.size() > 1 ? std::string(name_from(line, words[1])) : ""];
     if (words.size() < 2 || material == nullptr) return;
     // The numbers from a word on, at most three.
@@ -359,10 +361,10 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
       }
       return numbers;
     };
-    if (kind == "kd") {
+    if (begins_with("Kd")) {
       if (const auto rgb = numbers_at(1); rgb.size() == 3 || rgb.size() == 1)
         material->color = {rgb.front(), rgb[rgb.size() / 2], rgb.back()};
-    } else if (kind == "map_kd") {
+    } else if (begins_with("map_Kd")) {
       *material = {.color = material->color};
       std::size_t i = 1;
       while (i < words.size() && words[i].front() == '-') {
