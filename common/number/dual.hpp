@@ -70,8 +70,7 @@ template <class Real>
 
 template <class Real>
 [[nodiscard]] Dual<Real> abs(const Dual<Real>& x) {
-  const auto turned = [&](const Real& slope) { return select(x.value < Real(0), -slope, slope); };
-  return {abs(x.value), turned(x.dx), turned(x.dy)};
+  return chain(abs(x.value), select(x.value < Real(0), Real(-1), Real(1)), x);
 }
 template <class Real>
 [[nodiscard]] Dual<Real> floor(const Dual<Real>& x) {

@@ -49,8 +49,7 @@ class Session {
   void count_rays(double rays) { times_.rays += rays; }
   /// What to append to the progress line; called from any thread.
   std::function<std::string()> remark;
-  /// A line about the picture, which save() prints.
-  std::string sentence;
+  std::string sentence;  ///< about the picture, which save() prints
   /// Where save() puts a picture; null: into its file.
   Image* taken = nullptr;
   /// `diagnose` compares only every n-th column of every n-th row, from the second on.

@@ -183,8 +183,7 @@ template <class T>
                  sum.low + (first.low + cube.low + T(2) * s.low + parts.exponent * log_2_low<T>));
 }
 
-/// x^y of plain numbers, in all cases as std::pow. Bound: 1.5 ulp of a normal number, 3 where x is
-/// subnormal.
+/// x^y of plain numbers, as std::pow. Bound: 1.5 ulp of a normal number; for subnormal x 3.
 template <class T>
 [[nodiscard]] T pow(T x, T y) {
   if (x == T(1) || y == T(0)) return T(1);
