@@ -14,12 +14,12 @@ trap 'rm -rf "$work"' EXIT
 # For each instruction with a name that begins with v, as those of AVX and later do: its function;
 # so too for registers with an upper half (16 to 31 cost nothing). For each call: both functions.
 # Functions go by their address: clones in several files may have one name.
-objdump -d --no-show-raw-insn "$program" |
-  awk '/^[0-9a-f]+ </ { at = $1; sub(/^0+/, "", at); gsub(/[<>:]/, "", $2); print "name", at, $2 }
+objdump -d --no-show-raw-insn "$program" >"$work/code"
+awk '/^[0-9a-f]+ </ { at = $1; sub(/^0+/, "", at); gsub(/[<>:]/, "", $2); print "name", at, $2 }
     $2 ~ /^v[a-z0-9]+$/ { print "wide", at }
     $2 ~ /^vzero/ { print "cleans", at }
     /%[yz]mm([0-9]|1[0-5])([^0-9]|$)/ { print "upper", at }
-    $2 ~ /^(call|jmp)/ && $3 ~ /^[0-9a-f]+$/ && $3 != at { print "call", at, $3 }' |
+    $2 ~ /^(call|jmp)/ && $3 ~ /^[0-9a-f]+$/ && $3 != at { print "call", at, $3 }' "$work/code" |
   sort -u >"$work/all"
 grep -q '^wide' "$work/all" || exit 77
 awk '
