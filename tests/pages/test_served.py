@@ -171,7 +171,8 @@ def check_own_addresses(place, browser):
             browser.run("location.hash = 'exhibit=pole&number=half'")
             browser.wait("$('.live-says')?.textContent.includes('=half')", 10)
         if page[:2] in ("13", "14"):  # what a worker that is gone owes
-            browser.run("void Promise.reject(new Error('no memory'))")
+            browser.run("void dispatchEvent(new PromiseRejectionEvent('unhandledrejection', "
+                        "{promise: Promise.resolve(), reason: new Error('no memory')}))")
             browser.wait("$('.budget').textContent.includes('stopped (no memory)')", 10)
 
 
