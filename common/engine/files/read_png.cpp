@@ -293,9 +293,10 @@ std::string note_on_colors(const PngChunks& png) {
                 1e5 / png.gamma);
   }
   constexpr std::array<int, 8> of_srgb = {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000};
-  for (std::size_t i = 0; 4 * i < png.primaries.size(); ++i)
+  for (std::size_t i = 0; 4 * i < png.primaries.size(); ++i) {
     if (std::abs(std::int64_t{big_endian_32(png.primaries, 4 * i)} - of_srgb[i]) > 1000)
       return not_in_srgb("a space with primaries of its own (cHRM)");
+  }
   if (png.profile.size() < 6) return {};
   std::vector<std::uint8_t> profile(1 << 16);  // larger ones are not looked at
   const std::ptrdiff_t size = unpack(png.profile, profile).made;

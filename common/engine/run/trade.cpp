@@ -35,7 +35,8 @@ std::string joined(const Words& words) {
     if (!is_plain || word.empty()) {
       for (std::size_t at = 0; (at = word.find('\'', at)) != word.npos; at += 4)
         word.replace(at, 1, R"('\'')");
-      word = "'" + word + "'";
+      word.insert(word.begin(), '\'');
+      word += '\'';
     }
     all += (all.empty() ? "" : " ") + word;
   }
