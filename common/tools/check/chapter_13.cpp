@@ -146,9 +146,10 @@ Image asked() {
   return panels([](int panel, double x, double y) {
     std::vector<Met> met;
     for (int disk = 0; disk < 5; ++disk) {
-      if (std::hypot(x - 0.36 - 0.07 * disk, y - 0.4 - 0.04 * disk) < 0.3)
+      if (std::hypot(x - 0.36 - 0.07 * disk, y - 0.4 - 0.04 * disk) < 0.3) {
         met.push_back(
             {1. + (disk * (panel % 4 + 1) + panel) % 5, x > 0.8 - 0.04 * panel ? 0. : 1.});
+      }
     }
     const auto [color, calls] = counted(met, 0.9);
     return 0.3 * color + 0.14 * calls;

@@ -174,12 +174,11 @@ std::string known_mistake(const Question& question, double answer, double predic
     return apart(number, right) <= share * std::abs(right);
   };
   const double tolerance = question.unit.tolerance;
-  for (const auto& [number, word] : question.usual)
-    if (is_near(predicted, number,
-                tolerance > 0                  ? std::max(tolerance, 2e-3)
-                : number == std::round(number) ? 0
-                                               : 5e-4))  // typed with more decimals, or fewer
+  for (const auto& [number, word] : question.usual) {
+    const bool is_whole = number == std::round(number);  // others are typed with more decimals
+    if (is_near(predicted, number, tolerance > 0 ? std::max(tolerance, 2e-3) : is_whole ? 0 : 5e-4))
       return word;
+  }
   const double in_unit = std::max(tolerance, 0.01);
   if (question.unit.name == "degrees" && is_near(predicted / radian, answer, in_unit))
     return "yours is in radians";
