@@ -9,7 +9,7 @@ namespace texmap {
 ///
 /// @param uv  any u, taken as it wraps around; v 0 to 1, from -y to +y
 /// @return    of unit length; exactly -y and +y at v = 0 and 1
-/// Bound: 4 unit roundoffs for u in 0 to 1; beyond, those of 1/2 - u, in turns, come to them.
+/// Bound: 4 unit roundoffs for u in 0 to 1; farther out the rounding of 1/2 - u adds to it.
 template <class Real>
 [[nodiscard]] Vec3<Real> direction_rtiow(const Uv<Real>& uv) {
   const OnCircle<Real> around = on_circle(Real(0.5) - uv.u);

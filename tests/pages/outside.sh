@@ -15,7 +15,9 @@ fail() {
   exit 1
 }
 # pixel PICTURE COLUMN ROW
-pixel() { tail -c +$((16 + 3 * (400 * $3 + $2))) "$1" | head -c 3 | od -An -tu1 | tr -s ' ' | sed 's/ *$//'; }
+pixel() {
+  tail -c +$((16 + 3 * (400 * $3 + $2))) "$1" | head -c 3 | od -An -tu1 | tr -s ' ' | sed 's/ *$//'
+}
 
 block cpp >globe.cpp
 block cmake >CMakeLists.txt

@@ -133,7 +133,10 @@ check() {
   # A file that loops forever ends after so many seconds of processor time; the script's test has a smaller limit.
   seconds=${TEXMAP_CHECK_SECONDS:-20}
   # shellcheck disable=SC3045  # dash, bash, zsh and BSD's sh all have ulimit -t
-  (ulimit -t "$seconds" 2>/dev/null || :; exec "build/learn/bin/$program" --title "$(title_of "$1")") || status=$?
+  (
+    ulimit -t "$seconds" 2>/dev/null || :
+    exec "build/learn/bin/$program" --title "$(title_of "$1")"
+  ) || status=$?
   case $status in
     0 | 1 | 2) ;;
     152 | 137 | 158) printf '%s still running after %s s of processor time; is there a loop without an end?\n' "$(head_of "$1")" "$seconds" ;;
