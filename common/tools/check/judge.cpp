@@ -39,7 +39,7 @@ SlipTable slips_of_parts(const Value& right, const Kind& kind) {
     Value value = right;
     value.numbers[i] = of_i;
     value.numbers[k] = of_k;
-    slips.push_back({word, {value}});
+    slips.add({word, {value}});
   };
   const auto& all = right.numbers;
   for (std::size_t i = 0; i < right.count; ++i) {
@@ -58,7 +58,7 @@ SlipTable slips_of_parts(const Value& right, const Kind& kind) {
 /// A mistake in one number of several, such as u, while the others are right or have mistakes of
 /// their own: the words of those rows that are wrong in this number alone.
 std::string mistakes_in_parts(const std::vector<Value>& right, const std::vector<Value>& values,
-                              const SlipTable& known) {
+                              const std::vector<Slip>& known) {
   std::string words;
   const std::size_t count = right[0].count;
   for (std::size_t part = 0; part < count; ++part) {
@@ -148,9 +148,24 @@ bool alike(const Value& a, const Value& b) {
 }
 bool alike(double a, double b) { return alike(value_of(a), value_of(b)); }
 
-void add_place(SlipTable& all, const SlipTable& table) {
+SlipTable::SlipTable() = default;
+SlipTable::SlipTable(std::string_view word, std::initializer_list<Value> values)
+    : rows{{std::string(word), values}} {}
+SlipTable::SlipTable(const SlipTable&) = default;
+SlipTable& SlipTable::operator=(const SlipTable&) = default;
+SlipTable::~SlipTable() = default;
+
+void SlipTable::add(const SlipTable& more) {
+  rows.insert(rows.end(), more.rows.begin(), more.rows.end());
+}
+
+void SlipTable::add_rule(std::string_view rule) {
+  for (Slip& row : rows) (row.word += row.word.empty() ? "" : ": ") += rule;
+}
+
+void add_place(std::vector<Slip>& all, const SlipTable& table) {
   std::size_t row = 0;
-  for (const Slip& slip : table) {
+  for (const Slip& slip : table.rows) {
     for (const Value& value : slip.values) {
       if (row == all.size()) all.push_back({slip.word, {}});
       all[row++].values.push_back(value);
@@ -167,7 +182,7 @@ Verdict judge(const Trial& trial, const std::vector<Value>& values) {
   };
   std::vector<Value> all_right, yours;
   std::string edge;
-  SlipTable of_parts;
+  std::vector<Slip> of_parts;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Trial::At& at = trial.places[i];
     if (trial.kind.form == Kind::list) add_place(of_parts, slips_of_parts(at.right, trial.kind));
@@ -179,7 +194,7 @@ Verdict judge(const Trial& trial, const std::vector<Value>& values) {
     ++verdict.wrong;
   }
   if (verdict.right) return verdict;
-  SlipTable known = trial.slips;
+  std::vector<Slip> known = trial.slips;
   known.insert(known.end(), of_parts.begin(), of_parts.end());
   for (Slip& slip : known)
     for (std::size_t i = 0; i < values.size(); ++i) slip.values[i] = seen(slip.values[i], i);

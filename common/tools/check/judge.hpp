@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -82,28 +83,38 @@ struct Slip {
   std::string word;  ///< "u runs the other way: your map is mirrored"
   std::vector<Value> values;
 };
-using SlipTable = std::vector<Slip>;
+
+/// Mistakes, whatever the type of their values: compiled once for the many tables of the judges.
+struct SlipTable {
+  std::vector<Slip> rows;
+
+  SlipTable();
+  SlipTable(std::string_view word, std::initializer_list<Value> values);
+  SlipTable(const SlipTable&);
+  SlipTable& operator=(const SlipTable&);
+  ~SlipTable();
+  void add(const SlipTable& more);
+  void add_rule(std::string_view rule);
+};
 
 /// The mistakes with a function, at one place; the same rows at each place. To add one, add a row
 /// {word, value} or {word, {value, value}} to the exercise's table, or a whole table. Rows with one
 /// rule are a table {rule, {row, row}}: each gets the word "what is wrong: rule".
 template <class Out>
-struct Slips {
-  SlipTable rows;
-
+struct Slips : SlipTable {
   Slips() = default;
-  Slips(std::string word, const Out& value) : rows{{std::move(word), {value_of(value)}}} {}
-  Slips(std::string word, const std::vector<Out>& values) : rows{{std::move(word), {}}} {
+  Slips(std::string_view word, const Out& value) : SlipTable(word, {value_of(value)}) {}
+  Slips(std::string_view word, const std::vector<Out>& values) : SlipTable(word, {}) {
     for (const Out value : values) rows[0].values.push_back(value_of(value));
   }
   Slips(std::initializer_list<Slips> tables) {
-    for (const Slips& table : tables) *this += table;
+    for (const Slips& table : tables) add(table);
   }
-  Slips(const std::string& rule, std::initializer_list<Slips> tables) : Slips(tables) {
-    for (Slip& row : rows) row.word += (row.word.empty() ? "" : ": ") + rule;
+  Slips(std::string_view rule, std::initializer_list<Slips> tables) : Slips(tables) {
+    add_rule(rule);
   }
   Slips& operator+=(const Slips& more) {
-    rows.insert(rows.end(), more.rows.begin(), more.rows.end());
+    add(more);
     return *this;
   }
 };
@@ -160,12 +171,12 @@ struct Trial {
   };
   Kind kind;
   std::vector<At> places;
-  SlipTable slips;                                          ///< with their values at all places
+  std::vector<Slip> slips;                                  ///< with their values at all places
   std::function<Value(const Value&, std::size_t at)> seen;  ///< what counts; empty: all of it
 };
 
 /// Adds a place's table to that of all places, in which each value of a mistake has its own row.
-void add_place(SlipTable& all, const SlipTable& table);
+void add_place(std::vector<Slip>& all, const SlipTable& table);
 
 template <class Out, class... Args>
 [[nodiscard]] Trial trial_of(const Law<Out, Args...>& law) {
@@ -174,7 +185,7 @@ template <class Out, class... Args>
     trial.places.push_back({name, value_of<Out>(std::apply(law.right, at)),
                             law.count ? std::apply(law.count, at) : 0,
                             law.edge ? std::apply(law.edge, at) : ""});
-    add_place(trial.slips, std::apply(law.slips, at).rows);
+    add_place(trial.slips, std::apply(law.slips, at));
   }
   if (law.seen) {
     trial.seen = [&law](const Value& value, std::size_t place) {
