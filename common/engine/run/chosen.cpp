@@ -60,10 +60,11 @@ Chosen::Chosen(std::string_view name, const Offer& offer, const About& about)
   if (offer.surfaces) {
     line.choice(
         "--show", settings.show, "color|normal|uv|object",
-        "what to show in each pixel; all but color help to find errors, and have a black sky. "
-        "normal: the unit normal, x as red, y as green, z as blue, each from -1 to 1. uv: u as red "
-        "and v as green, of numbers outside 0 to 1 the part after the decimal point; gray where "
-        "there is no (u, v). object: a different color for each object or triangle");
+        "what to show in each pixel; all but color help to find errors: they are drawn in double, "
+        "and have a black sky. normal: the unit normal, x as red, y as green, z as blue, each from "
+        "-1 to 1. uv: u as red and v as green, of numbers outside 0 to 1 the part after the "
+        "decimal point; gray where there is no (u, v). object: a different color for each object "
+        "or triangle");
   }
   if (offer.camera) {
     line.decimal("--zoom", settings.zoom, 0.01, 1e6,
