@@ -210,6 +210,22 @@ TEST_CASE("a lesson of paths in plain double is drawn in double, whatever was ch
   CHECK(apart(film, film_of(lesson, 16, {.size = {32, 18}})) == 0);
 }
 
+/// The lesson as somebody writes it who halves all light.
+struct InHalfLight : Lesson {
+  template <class Real>
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
+    return Lesson::operator()(scene, at, random) * Real(0.5);
+  }
+};
+TEST_CASE("a reader's lesson has the light of the pixels without an object, too") {
+  const Lesson lesson = lesson_with({});
+  InHalfLight half;
+  static_cast<Lesson&>(half) = lesson;
+  const Film film = film_of(half, 16), whole = film_of(lesson, 16);
+  for (const int row : {0, film.height() / 2})  // the sky, the globe
+    CHECK(std::abs(film.light(32, row).r / whole.light(32, row).r - 0.5) < 1e-6);
+}
+
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
   const Lesson lesson = lesson_with({"--sky", "gradient"});
   for (const SamplerKind kind : {SamplerKind::random, SamplerKind::stratified,

@@ -1,6 +1,7 @@
 // Gathers light: many samples per pixel, one path each.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <type_traits>
@@ -129,6 +130,19 @@ void gather_pixels(const Sampler& sampler, const std::vector<Pixel>& pixels, con
   }
 }
 
+/// Whether a sample that meets nothing brings this light: a reader's lesson may change it.
+template <class Real, class PathOf>
+[[nodiscard]] bool brings(const Rgb& light, const Sampler& sampler, const PathOf& path_of) {
+  const Real corner(0);
+  const UInt<Real> hash = hash_pixels<Real>(uint_from_real(corner), uint_from_real(corner));
+  Color<Real> found{};
+  SampleSums<Real>(sampler).add(hash, 0, 1, path_of(corner, corner), found);
+  const auto is_near = [](const Real& channel, double known) {
+    return std::abs(static_cast<double>(all_lanes(channel)[0]) - known) <= 1e-5 * (1 + known);
+  };
+  return is_near(found.r, light.r) && is_near(found.g, light.g) && is_near(found.b, light.b);
+}
+
 /// What is known of a picture before a ray is traced: something for one sphere and a pinhole.
 template <class Object, class Sky>
 [[nodiscard]] std::optional<ViewBounds> bounds_of_view(const std::vector<Object>& objects,
@@ -172,6 +186,8 @@ template <class Real, class Lesson, class Paint>
       };
     };
   };
+  const bool sky_is_known =
+      bounds && bounds->light && brings<Real>(*bounds->light, sampler, paths_in(sky_alone));
   const int blocks = (view.height + rows_at_a_time - 1) / rows_at_a_time;
   const auto rows_done = [&](int done, int) {
     settings.progress(std::min(done * rows_at_a_time, view.height), view.height);
@@ -183,7 +199,7 @@ template <class Real, class Lesson, class Paint>
     PixelLists lists;
     for (int row = first_row; row < end_row; ++row)
       add_row<Real>(lists, row, view.width, scene, bounds);
-    if (bounds && bounds->light) {
+    if (sky_is_known) {
       const Rgb first = *bounds->light * static_cast<double>(film.first());
       const Rgb second = *bounds->light * static_cast<double>(film.second());
       for (const Pixel& at : lists.misses) film.set(rows, at, first, second);
