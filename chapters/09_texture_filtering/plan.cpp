@@ -109,8 +109,11 @@ std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& sc
   usage_error_if(chosen.was_given("--plot") && (chosen.was_given("--filter") || !budget.is_exact()),
                  "--plot compares all filters: leave out --filter and --budget");
   if (budget.is_exact()) return {};
-  if (chosen.was_given("--filter"))
-    throw UsageError("--budget chooses the filter: leave out --filter or --budget");
+  for (const char* option : {"--filter", "--taps"}) {
+    usage_error_if(
+        chosen.was_given(option),
+        std::string("--budget chooses the filter: leave out ") + option + " or --budget");
+  }
   if (budget.unit == Budget::Unit::texels) {
     throw UsageError("--budget: a filter's error is an amount of light: give exact or levels=N");
   }

@@ -62,7 +62,11 @@ void show_sheet(Session& session, const std::optional<FloorView>& floor, const s
   if (floor) all = compare_filters(*floor, session.settings.threads, !session.settings.quiet);
   usage_error_if(all.empty() && !plot.empty(),
                  "--plot shows errors on the floor: leave it out, or --scene globe");
-  const Image sheet = sheet_of_filters(session, all, draw);
+  // They are those of the course's checkers, read up to 16 times: not of any picture.
+  bool hold = true;
+  for (const char* option : {"--taps", "--floor", "--wrap", "--zoom"})
+    hold = hold && !session.chosen.was_given(option);
+  const Image sheet = sheet_of_filters(session, hold ? all : std::vector<FilterFigures>(), draw);
   if (!all.empty() && !session.settings.quiet) print(table_of_filters(all));
   if (!plot.empty()) {
     with_name("cannot write", plotted,

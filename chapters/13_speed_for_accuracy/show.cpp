@@ -156,9 +156,7 @@ View<> view_of_sheet(const Globe& globe, int width, int height) {
 }
 
 std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out) {
-  std::error_code error;
-  if (std::filesystem::exists(out, error) && !std::filesystem::is_regular_file(out, error))
-    return {};
+  if (is_stream(out)) return {};
   std::vector<std::filesystem::path> names;
   for (const char* const ending :
        {"_speed_error.svg", "_speed_levels.svg", "_error_seconds.svg", ".json"})

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "engine/draw/threads.hpp"
+#include "engine/fast/srgb_kernel.hpp"
 #include "engine/fast/turns.hpp"
-#include "math/srgb.hpp"
 #include "texture/bilinear_mix.hpp"
 #include "texture/wrap.hpp"
 
@@ -71,9 +71,7 @@ int places_for(const SharedLight& image, Projection from, Projection to, const U
   return static_cast<int>(std::ceil(longest - 0.01));
 }
 
-std::uint8_t encoded(double light) {
-  return static_cast<std::uint8_t>(std::lround(255 * clamp(srgb_encode(light), 0.0, 1.0)));
-}
+std::uint8_t encoded(double light) { return static_cast<std::uint8_t>(srgb_byte_exact(light)); }
 
 }  // namespace
 

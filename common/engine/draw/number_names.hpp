@@ -1,5 +1,4 @@
-// The numbers that pictures are measured with: plain ones, and packs made of each set of
-// instructions.
+// The words of --number and --instructions, and which of them this program and machine have.
 #pragma once
 #include <array>
 #include <cstddef>

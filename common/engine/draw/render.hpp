@@ -77,7 +77,7 @@ template <class Real, class Lesson>
 template <class Real>
 [[nodiscard]] Color<Real> shown_light(const Color<Real>& light) {
   const auto shown = [](const Real& channel) {
-    if constexpr (std::is_same_v<Scalar<Real>, Real> || lanes < Real >> 1) {
+    if constexpr (std::is_same_v<Scalar<Real>, Real> || (lanes<Real>) != 1) {
       return (srgb_byte_exact(channel) + Real(0.5)) * Real(1.0 / 255);
     } else {
       return srgb_encode(channel) + Real(0.5 / 255);  // an interval may span several bytes

@@ -14,6 +14,8 @@ __attribute__((weak)) std::vector<std::uint8_t> read_file(const std::filesystem:
 }
 
 void check_writable(const std::filesystem::path&) { throw FileError("a page cannot write files"); }
+bool is_stream(const std::filesystem::path&) { return false; }
+bool is_standard_output(const std::filesystem::path&) { return false; }
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t>) {
   check_writable(path);
 }

@@ -168,6 +168,16 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
                     });
 }
 
+bool is_stream(const std::filesystem::path& path) {
+  std::error_code error;
+  return open_file_of(path) ||
+         (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error));
+}
+
+bool is_standard_output(const std::filesystem::path& path) {
+  return open_file_of(path) == STDOUT_FILENO;
+}
+
 void check_writable(const std::filesystem::path& path) { static_cast<void>(find_target(path)); }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

@@ -21,6 +21,11 @@ namespace texmap {
 /// Errors: FileError.
 void check_writable(const std::filesystem::path& path);
 
+/// What a path names is written to and not replaced: a device, a pipe, a stream that is open.
+[[nodiscard]] bool is_stream(const std::filesystem::path& path);
+/// It is the standard output, under any of its names.
+[[nodiscard]] bool is_standard_output(const std::filesystem::path& path);
+
 /// Writes the file all at once: at any moment the path names the whole old or the whole new file,
 /// unless the machine itself stops.
 /// Devices (/dev/null, NUL) are written to. Ctrl-C meanwhile can leave a draft, .texmap-..., there.

@@ -155,6 +155,14 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
       });
 }
 
+bool is_stream(const std::filesystem::path& path) {
+  std::error_code error;
+  return is_null_device(path) ||
+         (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error));
+}
+
+bool is_standard_output(const std::filesystem::path& /*path*/) { return false; }
+
 void check_writable(const std::filesystem::path& path) { check_target(path); }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

@@ -33,7 +33,9 @@ Chosen::Chosen(std::string_view name, const Offer& offer, const About& about)
   line.whole("--height", settings.height, 1, longest_side, "rows of pixels" + note);
   if (offer.camera) {
     line.whole("--samples", settings.samples, 1, offer.most_samples,
-               "rays per pixel: 1 goes through the pixel's center, more make edges smooth");
+               offer.samples == 1
+                   ? "rays per pixel: 1 goes through the pixel's center, more make edges smooth"
+                   : "rays per pixel, each through a random place in it");
   }
   line.whole("--threads", settings.threads, 0, 1024,
              "number of threads, 0 for one per core; the picture does not depend on it");
@@ -128,7 +130,12 @@ void Chosen::say(const std::string& text) const {
 void Chosen::note(const std::string& text) const { line_.note(text); }
 
 void Chosen::check() {
-  if (settings.out == "/dev/stdout") settings.quiet = true;  // else lines would be in the picture
+  const std::filesystem::path out = path_of(settings.out);
+  if (is_standard_output(out)) {
+    usage_error_if(trade || extremes,
+                   "--trade and --extremes print a table there: leave out --out");
+    settings.quiet = true;  // else lines would be in the picture
+  }
   const bool double_alone = settings.number == NumberKind::double_ && settings.budget.is_exact();
   usage_error_if(
       one_number_ && (!double_alone || was_given("--instructions")),
@@ -142,6 +149,10 @@ void Chosen::check() {
       settings.show != Shown::color && was_given("--samples") && settings.samples != 1,
       "--show normal, uv and object use 1 ray per pixel, because a mean of normals or objects "
       "has no meaning: leave --samples out");
+  for (const char* option : {"--budget", "--time-limit", "--target-error"}) {
+    usage_error_if(settings.show != Shown::color && was_given(option),
+                   std::string(option) + " is for colors: leave it out, or --show");
+  }
   usage_error_if(was_given("--at") && !was_given("--zoom"),
                  "--at is the pixel that stays in its place under --zoom: give --zoom, too");
   for (const char* option : {"--plot", "--show", "--to", "--turntable"}) {
@@ -166,7 +177,7 @@ void Chosen::check() {
     std::error_code error;
     std::filesystem::create_directories("out", error);  // check_output reports an error
   }
-  check_output(path_of(settings.out));
+  check_output(out);
 }
 
 }  // namespace texmap

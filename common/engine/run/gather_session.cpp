@@ -42,15 +42,16 @@ Film gather_within_limits(const SamplingOptions& options, int most,
 }
 
 std::string remark_on_error(double error) {
-  return error < infinity<double>() ? text(", mean error %.2f levels so far", 255 * error) : "";
+  return error < infinity<double>() ? text(", error of the light %.2f of 255 so far", 255 * error)
+                                    : "";
 }
 
 std::string describe_error(const Film& film, const SamplingOptions& options) {
   if (!(film.error < infinity<double>())) {
     return text("%ld sample per pixel: too few to estimate the error\n", film.samples());
   }
-  return text("%ld samples per pixel, mean error %s %.2f levels of 255\n", film.samples(),
-              options.has_limit() ? "about" : "at most about", film.error * 255);
+  return text("%ld samples per pixel, root mean square error of the light %s %.2f of 255\n",
+              film.samples(), options.has_limit() ? "about" : "at most about", film.error * 255);
 }
 
 }  // namespace texmap

@@ -83,7 +83,9 @@ template <class Lesson>
   if (chosen.trade) {
     std::vector<Instructions> packs;
     for (const Instructions each : all_instructions) {
-      if (has_packs_of(each)) packs.push_back(each);
+      const bool is_wanted =
+          each == chosen.settings.instructions || !chosen.was_given("--instructions");
+      if (is_wanted && has_packs_of(each)) packs.push_back(each);
     }
     show_trade(chosen, line, words, packs, [&](const std::vector<std::string>& changed) {
       return drawing_by<Lesson>(chosen.chapter, changed);

@@ -340,10 +340,11 @@ void SamplingOptions::declare(Offer& offer) {
              "the seed of the random numbers: another seed has different noise");
   line.whole("--bounces", bounces, 1, 1000, "the largest number of bounces of a path");
   line.decimal("--time-limit", time_limit, 0, 1e6,
-               "stop after so many seconds, or at --samples if that is earlier; 0 for no limit");
+               "stop after so many seconds, or at --samples if that is given and earlier; 0 for no "
+               "limit");
   line.decimal("--target-error", target_error, 0, 255,
-               "stop when the estimated mean error is below so many levels of 255, or at "
-               "--samples; 0 for no limit");
+               "stop when the estimated error of the light, root mean square, is below this, where "
+               "white is 255, or at --samples if that is given; 0 for no limit");
   line.choice(
       "--gamma", transfer, "srgb|sqrt|2.2",
       "how light becomes bytes: the sRGB curve, the books' square root, or the power 1/2.2");

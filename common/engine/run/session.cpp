@@ -49,7 +49,7 @@ View<> Session::view(const Camera& camera, int width, int height) {
 
 std::filesystem::path Session::file_name(std::string_view suffix) const {
   std::filesystem::path file = path_of(settings.out);
-  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) return file;
+  if (is_stream(file)) return file;
   std::filesystem::path name = file.stem();
   name += path_of(suffix);
   name += file.extension();

@@ -141,7 +141,9 @@ TradePart same_picture(Collector& collect, const std::vector<Instructions>& pack
 
 /// Samples, samplers, filters and ways to light, which should all come near the same picture.
 std::optional<TradePart> noise(Collector& collect, const CommandLine& line, int samples) {
-  const Words samplers = collect.choices("--sampler"), filters = collect.choices("--filter");
+  const Words samplers = collect.choices("--sampler");
+  const Words filters =  // a budget chooses the filter
+      line.was_given("--budget") ? Words() : collect.choices("--filter");
   const auto many = [&](Words words, int times) {
     words.insert(words.end(), {"--samples", std::to_string(times)});
     return words;
@@ -189,12 +191,10 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
                  "--number interval draws how certain the colors are, and --trade compares "
                  "colors: leave one of them out");
   std::filesystem::path file = path_of(chosen.settings.out);
-  if (!std::filesystem::exists(file) || std::filesystem::is_regular_file(file))  // else a device
-    file = file.replace_extension() += "_trade.svg";
+  if (!is_stream(file)) file = file.replace_extension() += "_trade.svg";
   check_output(file);
   Collector collect(line, words, drawing);
   std::vector<TradePart> parts{same_picture(collect, packs)};
-  const std::string refused = collect.refused;
   if (std::optional<TradePart> other = noise(collect, line, chosen.settings.samples))
     parts.push_back(std::move(*other));
   const std::string number = name_of(path_of(chosen.chapter).filename()).substr(0, 2);
@@ -207,7 +207,7 @@ void show_trade(const Chosen& chosen, const CommandLine& line, const Words& word
   std::string said;
   for (const TradePart& part : parts)
     said += table_of(part, command) + recommendation(part, command) + "\n";
-  if (!refused.empty()) said += "Not measured: " + refused + "\n";
+  if (!collect.refused.empty()) said += "Not measured: " + collect.refused + "\n";
   if (choices_of(line, "--budget").empty())
     said += "No --budget: this program has no shorter formulas to choose from\n";
   write_text_atomically(file, plot_of(parts, command));

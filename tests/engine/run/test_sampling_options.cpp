@@ -154,16 +154,16 @@ TEST_CASE(
       UsageError);
 }
 
-TEST_CASE("what is said of an error is in levels, and nothing where none is known") {
+TEST_CASE("what is said of an error is of 255, and nothing where none is known") {
   CHECK(remark_on_error(infinity<double>()).empty());
-  CHECK(remark_on_error(0.01) == ", mean error 2.55 levels so far");
+  CHECK(remark_on_error(0.01) == ", error of the light 2.55 of 255 so far");
   Film film(1, 1, 16);
   CHECK(describe_error(film, {}) == "16 sample per pixel: too few to estimate the error\n");
   film.error = 0.01;
   CHECK(describe_error(film, {}) ==
-        "16 samples per pixel, mean error at most about 2.55 levels of 255\n");
+        "16 samples per pixel, root mean square error of the light at most about 2.55 of 255\n");
   CHECK(describe_error(film, limits(3, 0)) ==
-        "16 samples per pixel, mean error about 2.55 levels of 255\n");
+        "16 samples per pixel, root mean square error of the light about 2.55 of 255\n");
 }
 
 }  // namespace

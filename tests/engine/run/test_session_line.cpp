@@ -57,6 +57,12 @@ TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, enco
 #ifdef __linux__  // a device has no neighbors: each picture goes into it
   const std::string device = drawn(chapter, turn, "/dev/null").out;
   CHECK(device.find("/dev/null: 40") != device.rfind("/dev/null: 40"));
+  for (const char* name : {"/dev/stdout", "/proc/self/fd/1"}) {  // a file here: pictures alone
+    const std::string pictures = drawn(chapter, turn, name).out;
+    CHECK(pictures.starts_with("\x89PNG"));
+    CHECK(pictures.rfind("\x89PNG") > 0);
+    CHECK(pictures.ends_with("IEND\xae\x42\x60\x82"));
+  }
 #endif
 }
 
@@ -91,6 +97,8 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
            {"05_y_rotation", "--show normal --samples 4",
             "--show normal, uv and object use 1 ray per pixel, because a mean of normals or "
             "objects has no meaning: leave --samples out"},
+           {"07_earth_by_sampling", "--show uv --time-limit 1",
+            "--time-limit is for colors: leave it out, or --show"},
            {"11_bump_and_normal_maps", "--zoom 2 --show daily", no_camera},
            {"11_bump_and_normal_maps", "--show daily --show uv", no_camera},
            {"11_bump_and_normal_maps", "--green down",
@@ -118,6 +126,8 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
             "--budget is for Phong's highlight: leave out --highlight lecture"},
            {"07_earth_by_sampling", "--budget levels=4",
             "--budget is for a lone object, which lights no other: add --scene book"},
+           {"09_texture_filtering", "--taps 4 --budget levels=4",
+            "--budget chooses the filter: leave out --taps or --budget"},
            {"09_texture_filtering", "--zoom 2 --budget levels=4",
             "--budget chooses a filter for the whole picture: leave --zoom out"},
            {"05_y_rotation", "--show uv --number interval",
