@@ -229,7 +229,7 @@ struct StratifiedPattern {
 
 /// One sample in each cell, and one in each of as many columns and rows as there are samples;
 /// shuffled for each pixel and dimension. If the grid has more cells than samples, there are as
-/// many columns as cells.
+/// many columns as cells, and sometimes two samples in a cell.
 /// Source: Kensler, "Correlated Multi-Jittered Sampling", Pixar memo 13-01 (2013).
 struct MultiJitterPattern {
   std::uint32_t seed = 0;

@@ -43,7 +43,7 @@ template <class Real, class TexelAt>
 class Environment {
  public:
   Environment() : Environment(LightImage(1, 1)) {}
-  /// @param map      of even width, unless all its texels are equal
+  /// @param map      of even width, unless all its texels are equal; not empty
   /// @param degrees  turn of the sky about +y, as rotation_y
   explicit Environment(LightImage map, TexelFilter filter = TexelFilter::bilinear,
                        double degrees = 0)

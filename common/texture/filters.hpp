@@ -28,7 +28,8 @@ struct LevelPlace {
 };
 
 /// The place between the levels where the mean square of the texels' widths is `width` squared.
-/// Textbook: log2(width). This has the same whole numbers and needs no logarithm.
+/// Textbook: log2(width). This has the same whole numbers and needs no logarithm. It takes level l
+/// for 2^l wide: where sides are no powers of two, texels are up to twice as wide as that.
 ///
 /// @param width  in texels of level 0; below 1 and NaN count as 1
 template <class Real>
@@ -91,9 +92,11 @@ struct Filtered {
       return (*this)(center);
     Uv<Dual<Real>> down = rows_down(uv);
     if (wrap == Wrap::spherical) {
-      // Around a pole u grows without a limit, but once round is all that there is.
-      down.u.dx = clamp(down.u.dx, Real(-1), Real(1));
-      down.u.dy = clamp(down.u.dy, Real(-1), Real(1));
+      // Around a pole u grows without a limit, but once round is all that there is; in it, where u
+      // is a constant, too.
+      const Mask<Real> pole = center.v <= Real(0) || center.v >= Real(1);
+      down.u.dx = select(pole, Real(1), clamp(down.u.dx, Real(-1), Real(1)));
+      down.u.dy = select(pole, Real(1), clamp(down.u.dy, Real(-1), Real(1)));
     }
     const PyramidLevel<int>& whole = pyramid.levels.front();
     return filtered(rows_down(center), footprint_of(down, Real(whole.width), Real(whole.height)));
@@ -125,7 +128,7 @@ struct Filtered {
     return level_place(width, pyramid.last_level());
   }
 
-  /// The texel of a level that holds `at`.
+  /// The texel of a level that holds `at`: at an edge the one on the right, or the lower one.
   template <class Real>
   [[nodiscard]] Color<Real> nearest(const Uv<Real>& at, const PyramidLevel<Real>& level) const {
     return wrapped(level, floor(limited(at.u * level.width)), floor(limited(at.v * level.height)));
@@ -182,7 +185,8 @@ struct Filtered {
     }
   };
   /// The reads along a footprint, at most `taps`. Those as wide as the picture all see its mean:
-  /// then one is enough, unless they see the border.
+  /// then one is enough, unless they see the border. (By Wrap::clamp that is the mean of the
+  /// picture, too, and not of its edge.)
   template <class Real>
   [[nodiscard]] Taps<Real> taps_of(const Uv<Real>& at, const Footprint<Real>& footprint) const {
     const PyramidLevel<int>& whole = pyramid.levels.front();

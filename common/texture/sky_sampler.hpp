@@ -101,7 +101,8 @@ class SkySampler {
             {middle_u, middle_v}};
   }
 
-  /// The density of `direction`: probability per steradian; infinite at a pole of a bilinear sky.
+  /// The density of `direction`: probability per steradian. At a pole of a bilinear sky it is
+  /// infinite, or NaN where that is black.
   ///
   /// @param uv  of the direction: Environment::uv_of
   template <class Real>

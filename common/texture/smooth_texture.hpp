@@ -19,7 +19,7 @@ template <class Real>
 }
 
 /// A mean of the nine nearest texels, weighted by a quadratic B-spline each way. The value and its
-/// first derivatives are continuous, also over the seam and the poles of a globe.
+/// first derivatives are continuous: with an even number of columns also over a globe's poles.
 struct SmoothTexture {
   SharedGrid<Color<float>> image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;

@@ -228,6 +228,17 @@ TEST_CASE("a pixel on a globe's pole shows the land around it and not the whole 
     CHECK(light(Wrap::spherical) > 0.75);
     if (aside > 0 && aside < 1e-3) CHECK(light(Wrap::clamp) < 0.3);  // without a limit to u
   }
+  // In the pole itself, too, all meridians are seen, and not one of them.
+  LightImage meridian(64, 32);
+  for (int row = 0; row < 32; ++row) {
+    for (int column = 30; column < 34; ++column) meridian.at(column, row).r = 1;
+  }
+  for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
+    const FilteredTexture globe{
+        .pyramid = pyramid_of(meridian), .filter = filter, .wrap = Wrap::spherical};
+    const Vec3<Dual<double>> pole{{0.0, 0.01, 0.0}, {1.0}, {0.0, 0.0, 0.01}};
+    CHECK(globe.filtered(uv_rtiow(pole)).r < 0.1);  // 4 of 64 columns are white
+  }
 }
 
 }  // namespace
