@@ -10,7 +10,7 @@
 Uv on_round_map(Vec3 p) {
   // solution
   const double from_axis = std::hypot(p.x, p.z);
-  if (from_axis == 0) return {0.5, 0.5};  // the pole itself
+  if (from_axis == 0) return {p.y > 0 ? 0.5 : 1, 0.5};  // the middle; a point of the rim
   const double radius = std::sqrt((1 - p.y) / 2) / 2;
   return {0.5 + radius * p.x / from_axis, 0.5 - radius * p.z / from_axis};
   // start: // Your lines here.

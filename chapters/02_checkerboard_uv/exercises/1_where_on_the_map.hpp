@@ -2,7 +2,8 @@
 //
 // This map begins at Greenwich: its seam is on +x. p is a point of the unit sphere around the
 // origin. Return its place (u, v) on this map:
-//   u grows from west to east: 0 on +x, 1/4 on -z, 1/2 on -x, 3/4 on +z. It is less than 1.
+//   u grows from west to east: 0 on +x, 1/4 on -z, 1/2 on -x, 3/4 on +z. But for rounding
+//   it is less than 1.
 //   v grows from south to north: 0 at the south pole -y, 1/2 on the equator, 1 at the pole +y.
 //
 // Check it:  ./course check 02.1

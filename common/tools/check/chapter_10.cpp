@@ -64,7 +64,8 @@ using namespace chapter_10;
 
 Place2 right_round(Vec3d p) {
   const double from_axis = std::hypot(p.x, p.z);
-  const double radius = from_axis > 0 ? sqrt((1 - p.y) / 8) / from_axis : 0;
+  if (from_axis == 0) return {p.y > 0 ? 0.5 : 1, 0.5};
+  const double radius = sqrt((1 - p.y) / 8) / from_axis;
   return {0.5 + radius * p.x, 0.5 - radius * p.z};
 }
 
@@ -86,7 +87,7 @@ Slips<Place2> wrong_rounds(Vec3d p) {
   };
   const double r = right / 2;
   return {
-      {"at the pole itself 0 / 0 is no number: return the middle there",
+      {"at the north pole itself 0 / 0 is no number: return the middle there",
        from_axis > 0 ? at(right) : Place2{0. / from_axis, 0. / from_axis}},
       changed(radii, at),
       {"(x, -z) is shorter than 1: divide it by its length",
