@@ -40,8 +40,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] TwoParts<Real> two_product(const Real& a, const Real& b) {
   const Real product = a * b;
-  const TwoParts<Real> p = split(a);
-  const TwoParts<Real> q = split(b);
+  const TwoParts<Real> p = split(a), q = split(b);
   return {product, ((p.high * q.high - product) + p.high * q.low + p.low * q.high) + p.low * q.low};
 }
 
@@ -83,8 +82,9 @@ template <class Number>
 struct PowersOfTwo {
   static constexpr std::size_t count =
       std::bit_width(static_cast<unsigned>(std::numeric_limits<Number>::max_exponent)) - 1;
-  std::array<Number, count> up;
-  std::array<Number, count> down;
+  static_assert(std::numeric_limits<Number>::max_exponent > 0,
+                "a number needs std::numeric_limits, as number/kinds/double_pair.hpp has them");
+  std::array<Number, count> up, down;
 
   PowersOfTwo() {
     for (std::size_t i = 0; i < count; ++i) {

@@ -43,7 +43,7 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] T pow(T x, std::type_identity_t<T> exponent);
 
-/// What differs between one number and a pack of numbers. To add a number, specialize this.
+/// What differs between one number and a pack of numbers, which specializes this.
 template <class Real>
 struct NumberTraits {
   using Scalar = Real;                     ///< the number in one lane

@@ -19,7 +19,7 @@ struct Lambertian {
 template <class Real>
 struct LightSample {
   Vec3<Real> to_light;  ///< unit vector from the hit point to the light
-  Real cosine;          ///< of the angle between `to_light` and the normal; 0 in shadow
+  Real cosine;          ///< between `to_light` and the normal; 0 in shadow and on the far side
 };
 
 /// The LightSample of a hit point, with the shadows of all objects.

@@ -11,7 +11,8 @@ namespace texmap {
 /// ray that leaves it meets it again. What is derived from Sphere has the three of its own.
 /// Lift `outside` by more than the error of the distance, or every point shades itself.
 /// If the ray can see an inner side, the normal there faces the ray. So a mapping cannot use the
-/// normal as a direction, and takes the Hit: see texture/shape_mappings.hpp.
+/// normal as a direction, and takes the Hit: see texture/shape_mappings.hpp. (A sphere's normal is
+/// a direction and stays outward: who looks from its inside sees it lit as its outside is.)
 template <class Type>
 concept Shape = requires(const Type& shape, const Ray<double>& ray) {
   { distance_to(shape, ray) } -> std::same_as<double>;
@@ -110,7 +111,8 @@ template <class Real>
   return {normal, point, point + lift};
 }
 
-/// One of several kinds of shape, for a list of objects with different shapes.
+/// One of several kinds of shape, for a list of objects with different shapes. Each object then
+/// names its own: `.shape = Sphere<>{...}`.
 template <class... Shapes>
 struct AnyShape : std::variant<Shapes...> {
   static_assert((Shape<Shapes> && ...),

@@ -7,7 +7,9 @@
 
 namespace texmap {
 
-/// How a matte surface finds light in the sky. To add one, name it here and in sky_options.cpp.
+/// How a matte surface finds light in the sky. To add one, name it here and in sky_options.cpp. One
+/// without directions has a branch of its own in light_under_sky, as `coefficients` has. Its law is
+/// a row of `sampled_ways` in tests/scene/test_sky_path.cpp.
 enum class SkyLighting {
   uniform,       ///< directions from the whole sphere, all equally likely
   cosine,        ///< likely where Lambert's cosine is large

@@ -11,7 +11,7 @@ function(add_closure chapter headers lines)
     set(symbols "-DNM=${CMAKE_NM}" "-DPROGRAM=$<TARGET_FILE:${chapter}>"
       "-DSYMBOLS=stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
   endif()
-  add_check(closure_${number} "closure;reader" "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${TEXMAP_CHAPTERS}/${chapter}/lesson.hpp"
+  add_check(closure_${number} "closure;reader;chapter-${number}" "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${TEXMAP_CHAPTERS}/${chapter}/lesson.hpp"
     "-DHEADERS=${headers}" "-DLINES=${lines}" "-DFORBIDDEN=${ARGN}" ${symbols} -P "${tests}/closure/closure.cmake")
 endfunction()
 

@@ -147,7 +147,7 @@ std::string text_of(Rgb8 color) { return text("(%d, %d, %d)", color.r, color.g, 
 
 Json json_of(Rgb8 color) { return Json::list({color.r, color.g, color.b}); }
 
-Json json_of(const Box& box) {
+Json json_of(const PixelBox& box) {
   return Json::object(
       {{"left", box.left}, {"top", box.top}, {"width", box.width}, {"height", box.height}});
 }

@@ -20,9 +20,9 @@ class DifferenceError : public std::runtime_error {
 };
 
 /// A rectangle of pixels.
-struct Box {
+struct PixelBox {
   int left = 0, top = 0, width = 0, height = 0;
-  friend bool operator==(const Box&, const Box&) = default;
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
 /// The pixel that differs most; of several, the first from the top, then from the left.
@@ -40,7 +40,7 @@ struct Figures {
   std::size_t pixels_compared = 0;
   std::size_t pixels_different = 0;  ///< in any channel, by any amount
   double share_different = 0;        ///< of the compared pixels, 0 to 1
-  Box box;           ///< the smallest around all pixels that differ; size 0 by 0 if there are none
+  PixelBox box;      ///< the smallest around all pixels that differ; size 0 by 0 if there are none
   WorstPixel worst;  ///< levels 0 if no pixel differs
 
   double mean_absolute_error = 0;     ///< levels, mean of |a - b| over pixels and channels

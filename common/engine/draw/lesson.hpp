@@ -16,7 +16,7 @@ struct Surface;
 /// The numbers that a lesson's code compiles for.
 enum class Numbers {
   all,           ///< single numbers, packs and intervals: templates without `if` on a number
-  no_intervals,  ///< the same with sin, cos, pow, ldexp or a hash, which intervals do not have
+  no_intervals,  ///< the same with sin, cos, pow, copysign, ldexp or a hash: not with intervals
   single,        ///< float, double and long double: templates with `if` and `int`
   only_double,   ///< double: code without templates
 };

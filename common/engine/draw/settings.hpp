@@ -6,7 +6,8 @@
 
 namespace texmap {
 
-/// The numbers to draw with. Add a new one to number_names.hpp, chosen.cpp and run_in_number, too.
+/// The numbers to draw with. A new one stands behind `extended`, as its word does in
+/// number_names.hpp and chosen.cpp; run_in_number draws with it.
 enum class NumberKind {
   float_,       ///< 24 significant bits
   double_,      ///< 53

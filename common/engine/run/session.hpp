@@ -49,9 +49,8 @@ class Session {
   void count_rays(double rays) { times_.rays += rays; }
   /// What to append to the progress line; called from any thread.
   std::function<std::string()> remark;
-  std::string sentence;  ///< about the picture, which save() prints
-  /// Where save() puts a picture; null: into its file.
-  Image* taken = nullptr;
+  std::string sentence;    ///< about the picture, which save() prints
+  Image* taken = nullptr;  ///< where save() puts a picture; null: into its file
   /// `diagnose` compares only every n-th column of every n-th row, from the second on.
   int every = 1;
   [[nodiscard]] bool needs(int column, int row) const {

@@ -77,8 +77,8 @@ std::string table(const Figures& figures) {
   return lines;
 }
 
-Box parse_box(std::string_view typed) {
-  Box box;
+PixelBox parse_box(std::string_view typed) {
+  PixelBox box;
   std::size_t begin = 0;
   for (int* number : {&box.left, &box.top, &box.width, &box.height}) {
     const std::size_t end = number == &box.height ? typed.size() : typed.find(',', begin);
@@ -95,7 +95,7 @@ Box parse_box(std::string_view typed) {
 }
 
 /// Mean, least and largest of each channel in a rectangle, in words.
-std::string mean_table(const Image& image, const Box& box) {
+std::string mean_table(const Image& image, const PixelBox& box) {
   if (box.left + box.width > image.width || box.top + box.height > image.height) {
     throw DifferenceError(
         text("the rectangle ends at column %d, row %d; the picture has %d x %d pixels",
@@ -166,7 +166,7 @@ int main(int argc, char** argv) {
       if (line.was_given(other))
         throw texmap::UsageError(std::string(other) + " and --mean do not go together");
     }
-    const Box box = parse_box(request.mean);
+    const PixelBox box = parse_box(request.mean);
     texmap::print(mean_table(load(request.a), box));
   });
   if (status != 0) return 2;

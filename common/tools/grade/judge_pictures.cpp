@@ -80,7 +80,7 @@ Image small_map(const Image& a, const Image& b, int step) {
 }
 
 /// The part of a picture around a box, at least as large as a page shows it in full size.
-Box around(const Box& box, const Image& image) {
+PixelBox around(const PixelBox& box, const Image& image) {
   const int width = std::min(image.width, std::max(box.width, shown_width));
   const int height = std::min(image.height, std::max(box.height, shown_width * 3 / 4));
   const auto begin = [](int from, int size, int new_size, int all) {
@@ -90,8 +90,8 @@ Box around(const Box& box, const Image& image) {
           begin(box.top, box.height, height, image.height), width, height};
 }
 
-std::string shown(const Image& is, const Image& should, const Box& box) {
-  const Box part = around(box, is);
+std::string shown(const Image& is, const Image& should, const PixelBox& box) {
+  const PixelBox part = around(box, is);
   const auto cut = [&part](const Image& image) {
     Image result(part.width, part.height);
     blit(result, image, -part.left, -part.top);
