@@ -24,7 +24,7 @@ template <class Real>
 }
 
 /// `x` as a sum of two numbers with half the digits each, so that their products are exact.
-/// Domain: |x| below the largest number / 2^(digits / 2 + 1).
+/// Domain: |x| below the largest number / 2^(digits / 2 + 2).
 /// Source: Veltkamp; Dekker, "A Floating-Point Technique for Extending the Available Precision".
 template <class Real>
 [[nodiscard]] TwoParts<Real> split(const Real& x) {

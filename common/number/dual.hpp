@@ -7,7 +7,7 @@ namespace texmap {
 
 /// A value and its derivatives by two parameters x and y: by the column and the row of a pixel, or
 /// by two steps along a surface. Code that is a template over its number then computes both.
-/// Values are those of `Real`, to the last bit. Comparisons and masks look at values alone.
+/// Values are those of `Real`, to the last bit; intervals are wider. Masks look at values alone.
 /// Bound: slopes of a mapping within 16 unit roundoffs of its steepest one.
 /// Source: Clifford (1873); Wengert, "A Simple Automatic Derivative Evaluation Program" (1964).
 template <class Real>

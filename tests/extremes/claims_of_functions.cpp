@@ -69,11 +69,16 @@ void add_functions(Family& family) {
         [](const auto& x, const auto&) { return sin(x); });
     add("tan", "up to 1e6, near quarter turns, too (extended: 10 of them)", 2.5, pair(angle, zero),
         [](const auto& x, const auto&) { return tan(x); });
-    const auto base = [](Dice& dice) { return static_cast<T>(dice.power_of_ten(-6, 6)); };
-    const auto power = [=](Dice& dice) {
-      return static_cast<T>(dice.between(-1, 1) * most_exponent / 14);
+    const auto base_and_exponent = [=](Dice& dice) {
+      const double logarithm =
+          dice.once_in(2) ? dice.between(-13.8, 13.8)
+                          : dice.sign() * static_cast<double>(dice.power_of_ten(-4, 0));
+      return std::array<T, 2>{
+          static_cast<T>(std::exp(logarithm)),
+          static_cast<T>(dice.between(-1, 1) * 0.99 * most_exponent / std::abs(logarithm))};
     };
-    add("pow", "1e-6 to 1e6, any exponent of a normal result", 1.5, pair(base, power),
+    add("pow", "1e-6 to 1e6, any exponent of a normal result",
+        std::numeric_limits<T>::digits > 53 ? 3 : 1.5, base_and_exponent,
         [](const auto& x, const auto& y) { return pow(x, y); });
   }
 }

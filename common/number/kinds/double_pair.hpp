@@ -144,7 +144,7 @@ template <>
   return ldexp(series, static_cast<int>(powers_of_two));
 }
 /// log(1 + x), by one step of Newton's iteration from double's logarithm.
-/// Bound: 1e-30 of itself, or of 1 where that is more.
+/// Domain: x >= -0.98; nearer to -1 the step leaves more. Bound: 1e-30 of itself or of 1.
 [[nodiscard]] inline DoublePair log1p(const DoublePair& x) {
   const DoublePair number = DoublePair(1) + x;
   const DoublePair near(texmap::log1p(x.high));

@@ -19,6 +19,7 @@ struct Series {
   }
   std::array<T, terms(7, 13, 15, 26)> exponential{};    ///< (e^x - 1 - x) / x^2 in x, to log(2) / 2
   std::array<T, terms(5, 10, 12, 22)> logarithm{};      ///< (2 artanh(s) - 2 s) / s^3 in s^2
+  std::array<T, terms(6, 12, 15, 25)> of_pow{};         ///< more: an exponent multiplies its error
   std::array<T, terms(4, 8, 10, 15)> sine{}, cosine{};  ///< sin x / x - 1, cos x - 1, over x^2
   std::array<T, terms(4, 4, 26, 46)> arc_tangent{};     ///< (atan t / t - 1) / t^2 in t^2
 
@@ -26,8 +27,10 @@ struct Series {
     T factor = T(1);
     for (std::size_t k = 0; k < exponential.size(); ++k)
       exponential[k] = factor = factor / static_cast<T>(k + 2);
-    for (std::size_t k = 0; k < logarithm.size(); ++k)
-      logarithm[k] = T(2) / static_cast<T>(2 * k + 3);
+    for (std::size_t k = 0; k < of_pow.size(); ++k) {
+      of_pow[k] = T(2) / static_cast<T>(2 * k + 3);
+      if (k < logarithm.size()) logarithm[k] = of_pow[k];
+    }
     for (std::size_t k = 0; k < sine.size(); ++k) {
       const auto n = static_cast<T>(2 * k + 2);
       cosine[k] = -(k == 0 ? T(1) : cosine[k - 1]) / (n * (n - T(1)));
@@ -172,10 +175,11 @@ template <class T>
   const TwoParts<T> s{quotient,
                       (((f - back.high) - back.low) - quotient * divisor.low) / divisor.high};
   const TwoParts<T> square = product(s, s);
-  const T two_thirds = series<T>.logarithm[0];
-  const T two_thirds_low = (T(2) - T(3) * two_thirds) / T(3);
+  const T two_thirds = series<T>.of_pow[0];
+  const TwoParts<T> thrice = two_product(T(3), two_thirds);  // rounded, it would be 2
+  const T two_thirds_low = ((T(2) - thrice.high) - thrice.low) / T(3);
   const TwoParts<T> factor =
-      two_sum(two_thirds, square.high * power_series(square.high, series<T>.logarithm, 1));
+      two_sum(two_thirds, square.high * power_series(square.high, series<T>.of_pow, 1));
   const TwoParts<T> cube = product(product(square, s), {factor.high, factor.low + two_thirds_low});
   const TwoParts<T> first = two_sum(parts.exponent * log_2_high<T>, T(2) * s.high);
   const TwoParts<T> sum = two_sum(first.high, cube.high);
@@ -183,7 +187,8 @@ template <class T>
                  sum.low + (first.low + cube.low + T(2) * s.low + parts.exponent * log_2_low<T>));
 }
 
-/// x^y of plain numbers, as std::pow. Bound: 1.5 ulp of a normal number; for subnormal x 3.
+/// x^y of plain numbers, as std::pow. Bound: 1.5 ulp of a normal number; for subnormal x, and in
+/// long double, 3.
 template <class T>
 [[nodiscard]] T pow(T x, T y) {
   if (x == T(1) || y == T(0)) return T(1);

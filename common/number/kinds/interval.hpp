@@ -61,8 +61,8 @@ class Interval {
   template <class Number>
   requires std::is_arithmetic_v<Number>
   constexpr explicit Interval(Number number)
-      : low_(lower(static_cast<double>(number), exact(number))),
-        high_(upper(static_cast<double>(number), exact(number))) {}
+      : Interval(lower(static_cast<double>(number), exact(number)),
+                 upper(static_cast<double>(number), exact(number))) {}
   /// @param low, high  low <= high; a NaN means no bound on that side
   constexpr Interval(double low, double high) : low_(lower(low, true)), high_(upper(high, true)) {}
 
