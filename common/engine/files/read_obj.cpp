@@ -111,6 +111,14 @@ std::string_view name_from(std::string_view line, std::string_view word) {
   return name;
 }
 
+// The name behind a keyword; it may begin with #. Empty if there is none.
+std::string_view name_behind(std::string_view keyword, std::string_view line) {
+  line.remove_prefix(static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size());
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  const bool is_comment = line.starts_with('#') && (line.size() == 1 || is_blank(line[1]));
+  return line.empty() || is_comment ? std::string_view() : name_from(line, line);
+}
+
 // Calls read(line, number) for each line; an error gets its number. A line that goes on is one.
 template <class Read>
 void for_each_line(std::string_view text, const Read& read) {
@@ -180,7 +188,7 @@ class ObjReader {
     if (kind == "vt") return add_uv();
     if (kind == "f") return add_face();
     if (kind == "vn") return add_normal();
-    const std::string name(words_.size() > 1 ? name_from(line, words_[1]) : "");
+    const std::string name(name_behind(kind, line));
     if (kind == "usemtl") return use_material(name);
     if (kind == "mtllib" && result_.libraries.size() < max_mesh_libraries)
       result_.libraries.push_back(name);
@@ -348,8 +356,7 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
     const auto begins_with = [&](std::string_view word) {  // some programs write map_kd
       return !words.empty() && in_small_letters(words[0]) == in_small_letters(word);
     };
-    if (begins_with("newmtl"))
-      material = &materials[words.size() > 1 ? std::string(name_from(line, words[1])) : ""];
+    if (begins_with("newmtl")) material = &materials[std::string(name_behind(words[0], line))];
     if (words.size() < 2 || material == nullptr) return;
     // The numbers from a word on, at most three.
     const auto numbers_at = [&](std::size_t first) {
@@ -362,7 +369,7 @@ std::map<std::string, Material> read_mtl(std::string_view text) {
       return numbers;
     };
     if (begins_with("Kd")) {
-      if (const auto rgb = numbers_at(1); rgb.size() == 3 || rgb.size() == 1)
+      if (const auto rgb = numbers_at(1); rgb.size() == 3 || (rgb.size() == 1 && words.size() == 2))
         material->color = {rgb.front(), rgb[rgb.size() / 2], rgb.back()};
     } else if (begins_with("map_Kd")) {
       *material = {.color = material->color};

@@ -284,6 +284,7 @@ Grid<Pixel> read_pixels(Bytes file, const PngChunks& png, std::string* note, int
 std::string note_on_colors(const PngChunks& png) {
   if (!png.color_code.empty()) {
     const int primaries = png.color_code[0], curve = png.color_code[1];
+    if (png.color_code[3] != 1) return not_in_srgb("the range of video (cICP)");
     return primaries == 1 && curve == 13  // BT.709's, which are sRGB's, and sRGB's curve
                ? ""
                : not_in_srgb(text("the space of the numbers %d and %d (cICP)", primaries, curve));

@@ -158,12 +158,17 @@ TEST_CASE("a material is its picture, with blanks and options, or its color") {
 TEST_CASE("names with # and in quotes, words in any letters, and a material without a name") {
   const std::map<std::string, Material> read = read_mtl(
       "newmtl Grey #1\nkd 1 0 0\nnewmtl Grey #2 # the second\nKd 0 1 0\nmap_kd \"my wood.png\"\n"
-      "newmtl\nKd 0 0 1\n");
-  CHECK(read.size() == 3);
+      "newmtl # none\nKd 0 0 1\nnewmtl #3\nKd 1 0 1\nnewmtl e\nKd -1 nan 2\n");
+  CHECK(read.size() == 5);
   CHECK(read.at("Grey #1").color.g == 0);
   CHECK(read.at("Grey #2").color.g == 1);
   CHECK(read.at("Grey #2").picture == "my wood.png");
   CHECK(read.at("").color.b == 1);
+  CHECK(read.at("#3").color.r == 1);
+  CHECK(read.at("e").color.r == 0.8);  // not the gray of one number
+  const ObjFile mesh =
+      read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl #1\nf 1 2 3\nusemtl #2\nf 1 2 3\n");
+  CHECK(mesh.material_names == std::vector<std::string>{"#1", "#2"});
 }
 
 TEST_CASE("numbers, indices and fans arrive as they are in the file") {
