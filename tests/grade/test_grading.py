@@ -258,6 +258,11 @@ class Folders(Course):
                 ('ada/03.png', 'class', 'ada', ''), ('ada/03.png', '--class class', 'ada', ''),
                 ('ada/03.png ada.zip bob/03.png', 'class/ada/ class/ada.zip class/bob', 'ada bob',
                  ''),
+                # a file in a student's own folder that names somebody else
+                ('ada/03.png bob/dan_4074_90500_03.png', 'class', 'ada bob', ''),
+                ('ada/03.png bob/dan_4074_90500_03.png', '--class class', 'ada bob', ''),
+                ('ada/03.png bob/dan_4074_90500_03.png bob/eve_4075_90501_03.png',
+                 'class/ada class/bob', 'ada bob', ''),
                 # sections of a course, and what is none
                 (sections := 'A/ada/03.png A/bob/03.png B/eve/03.png B/jo/03.png C/li/03.png',
                  'class', 'ada bob eve jo li', 'class is graded as a folder of classes; --class '
@@ -512,10 +517,10 @@ for name; do :; done
         self.put({'class.csv': 'ID,Last name,First name\n2,Müller,Jörg\n1,Doe,Jane\n3,Absent,Eve\n'
                                '8,Smith,Ann\n9,Smith,Ann\n'})
         self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--overrides',
-                   'class/none', status=2)
+                   'class.csv', status=2)
         self.assertRegex(self.ended.stderr,
                          r'(?s)several of the name: liwei \(3\); smithann \(4\); smithann \(5\)\n'
-                               r'handed in nothing: Eve Absent \(3\)\n.*No such file')
+                               r'handed in nothing: Eve Absent \(3\)\n.*class.csv: no line names')
         self.put({'class.csv': 'Section\nA\n', 'out/overrides.csv': 'name,points\nnobody,1\n'})
         for words, why in {
             '--class-list class.csv class.zip': 'class.csv: no line names the columns id or name '
@@ -683,6 +688,8 @@ class Runs(Course):
                                "--points takes such as 02=2,02.1=0.5, not '03=x'",
                            '--one --class class': '--one and --class exclude each other',
                            '--nope class': '--nope',
+                           '--columns name=x class': '--columns says how to read a class list',
+                           '--overrides none class': "--overrides: there is no file 'none'",
                            '--jobs x class': "--jobs takes a whole number from 0 to 1024, not 'x'",
                            '--megabytes 1 class':
                                '--megabytes takes a whole number from 64 to 1048576'}.items():
@@ -694,6 +701,13 @@ class Runs(Course):
         self.assertEqual(self.ended.stderr, 'skipped, not a folder: file\n')
         # no exercise if none is asked for
         self.assertEqual(list(self.grade('class/ada')), [('ada', '03'), ('ada', '04')])
+        # a run that fails leaves the grades of the one before
+        before = self.text('grades.csv')
+        self.put({'by_hand.csv': 'name,chapter,points\nada,02-Jan,1\n'})
+        self.grade('class', '--overrides', 'by_hand.csv', status=2)
+        self.assertIn("by_hand.csv, line 2: there is no chapter and no exercise '02-Jan'",
+                      self.ended.stderr)
+        self.assertEqual(self.text('grades.csv'), before)
 
     def test_formats_leave_a_file_with_the_pages_name_where_there_are_several(self):
         self.put({'class/ada/03.png': RIGHT, 'class/bob/03.png': RIGHT})

@@ -108,6 +108,12 @@ def command_line():
         parser.error('DIR is missing')
     if options.one and options.each:
         parser.error('--one and --class exclude each other')
+    if options.columns and not options.class_list:
+        parser.error('--columns says how to read a class list: give --class-list FILE, too')
+    for name in ('class_list', 'overrides'):
+        file = getattr(options, name)
+        if file and not os.path.isfile(file):
+            parser.error(f"--{name.replace('_', '-')}: there is no file '{file}'")
     for folder in options.folders:
         if not os.path.exists(folder):
             parser.error(f"there is no folder '{folder}'")
@@ -194,6 +200,7 @@ class Grading:
         self.stopping = threading.Event()
         self.stopped = False  # by Ctrl-C
         self.pictures = None
+        self.table = None  # grades.csv, from the first row on: until then an earlier run's stays
         self.finished = 0
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self.stop)
@@ -216,19 +223,17 @@ class Grading:
             if item.golden:
                 # what a student's program makes of it later does not count
                 self.pictures.compare(item.golden, item.golden)
-        with open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='') as self.table:
-            self.table.write(results.table([], results.COLUMNS, []))
-            try:
-                everybody = range(len(self.students))
-                for begin in everybody[::TOGETHER]:
-                    self.compare_pictures_of(everybody[begin:begin + TOGETHER])
-                self.run_checkouts()
-            except KeyboardInterrupt:
-                pass
-            except (GradeError, OSError):
-                if self.finished:
-                    self.write_class()
-                raise
+        try:
+            everybody = range(len(self.students))
+            for begin in everybody[::TOGETHER]:
+                self.compare_pictures_of(everybody[begin:begin + TOGETHER])
+            self.run_checkouts()
+        except KeyboardInterrupt:
+            pass
+        except (GradeError, OSError):
+            if self.finished:
+                self.write_class()
+            raise
         self.write_class()
 
     def find_students(self):
@@ -257,7 +262,7 @@ class Grading:
                          for one, page in zip(self.submissions, pages)]
         overrides = Path(self.options.overrides or self.out / 'overrides.csv')
         if self.options.overrides or overrides.exists():
-            say(people.read_overrides(overrides, self.students, self.items,
+            say(people.read_overrides(overrides, self.students, self.items, chapters.known,
                                       is_for_all=not self.options.overrides))
         self.has_checkouts = any(submission.checkout for submission in self.submissions)
 
@@ -365,6 +370,9 @@ class Grading:
             row.by_hand, note = student.by_hand[row.item.name]
             row.add_note('points by hand' + (note and f': {note}'))
             row.word = 'by hand' if row.word == 'ok' and not row.right else row.word
+        if not self.table:
+            self.table = open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='')
+            self.table.write(results.table([], results.COLUMNS, []))
         self.table.write(results.grades_csv_line(student, row))
         self.table.flush()
         student.all_rows[k] = row
@@ -374,6 +382,8 @@ class Grading:
         if student.has_page:
             self.write(f'{student.page}.html',
                        class_pages.student_page(self.pictures.pages['page'], student))
+        else:  # an earlier run may have written one
+            (self.out / f'{student.page}.html').unlink(missing_ok=True)
         for row in student.rows:  # a class has thousands
             row.shown = ''
         if self.options.format != 'none':
@@ -408,6 +418,8 @@ class Grading:
     def write_class(self):
         """The tables and the index of all that is done."""
         self.progress('')
+        if not self.table:
+            return
         self.table.close()
         students = [student for student in self.students if student.rows]
         results.say_who_has_the_same(students)

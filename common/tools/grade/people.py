@@ -221,7 +221,7 @@ def join_class_list(path, submissions, chapters, columns=''):
         'handed in nothing': nothing}.items() if found], alarm
 
 
-def read_overrides(path, students, items, is_for_all):
+def read_overrides(path, students, items, known, is_for_all):
     """Sets the points that an instructor wrote into a table: of a chapter or an exercise, or of all
     if that column is empty. Says who is not among the students, if the table is for all runs."""
     absent = []
@@ -242,6 +242,8 @@ def read_overrides(path, students, items, is_for_all):
         if not re.fullmatch(r'\d{1,4}(\.\d+)?', points):
             raise GradeError(f"{where}'{points}' is no number of points")
         places = [item for item in items if chapter in item.names]
+        if chapter and not any(chapter in item.names for item in known):
+            raise GradeError(f"{where}there is no chapter and no exercise '{chapter}'")
         if chapter and not places:
             continue  # of another run
         found[0].by_hand[places[0].name if places else ''] = (float(points), line.cell('note'))

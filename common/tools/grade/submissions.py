@@ -613,13 +613,23 @@ def submissions_of_systems(chapters, folder, named):
     return list(found.values())
 
 
-class Level:
-    """What lies in a folder that may be a class."""
+def are_classes(chapters, folders):
+    """Whether all of these folders name several people each. Else they are students' own, and what
+    a student names as somebody else's is not theirs."""
+    def people_in(entry):
+        entries = entries_of(entry.path)
+        return {nfc(part['who']).casefold() for *_, part in named_by_systems(
+            chapters, entries) or named_by_others(chapters, entries)}
+    return all(len(people_in(entry)) > 1 for entry in folders)
 
-    def __init__(self, chapters, entry, shown, each=False):
+
+class Level:
+    """What lies in a folder that may be a class. A student's own folder names nobody."""
+
+    def __init__(self, chapters, entry, shown, each=False, own=False):
         self.entry, self.shown = entry, shown
         entries = entries_of(entry.path)
-        self.named = named_by_systems(chapters, entries)
+        self.named = [] if own else named_by_systems(chapters, entries)
         taken = {part.path for part, *_ in self.named}
         self.below = [part for part in entries if part.path not in taken
                       and (part.is_folder or os.path.isdir(part.path)) and not (
@@ -641,7 +651,7 @@ class Level:
         self.names = [name for name in (re.sub(f'{AGAIN}$', '', part.name, flags=re.I)
                                         for part in self.with_work) if not NOBODY.fullmatch(name)]
         self.many = len(set(self.names)) > 1
-        if not (self.named or self.many or each):
+        if not (self.named or self.many or each or own):
             self.named = named_by_others(chapters, entries)
             taken = {part.path for part, *_ in self.named}
 
@@ -684,17 +694,17 @@ def students_in_sections(chapters, folders):
             for student in students_in(chapters, shown, part, True, False, False)[0]]
 
 
-def students_in(chapters, folder, entry, single, one, each):
+def students_in(chapters, folder, entry, single, one, each, own=False):
     """The submissions in a folder that was named, and a remark."""
     level = class_level(chapters, entry, folder) if single and not (one or each) else Level(
-        chapters, entry, folder, each)
-    own, below, named = level.own, level.below, [] if one else level.named
-    is_class = ((single or level.many) and (level.many and single or not own.candidates)
-                and below and not own.checkout)
+        chapters, entry, folder, each, own)
+    rest, below, named = level.own, level.below, [] if one else level.named
+    is_class = ((single or level.many) and (level.many and single or not rest.candidates)
+                and below and not rest.checkout)
     if one or not (each or named or is_class):
         remark = (f"{clean(shown_name(folder))} is graded as one student's folder; --class grades "
                   "each folder in it as a student's")
-        is_unclear = single and not one and len(level.with_work) > bool(own.checkout)
+        is_unclear = single and not one and len(level.with_work) > bool(rest.checkout)
         return [submission_of(chapters, entry, folder)], remark if is_unclear else ''
     found = [] if each or named or not single else students_in_sections(
         chapters, {os.path.join(level.shown, part.name): part for part in below})
@@ -702,12 +712,14 @@ def students_in(chapters, folder, entry, single, one, each):
         return found, (f'{clean(shown_name(folder))} is graded as a folder of classes; --class '
                        "grades each folder in it as a student's")
     found = submissions_of_systems(chapters, level.shown, named)
-    for part in level.with_work if named else below:
+    parts = level.with_work if named else below
+    classes = are_classes(chapters, level.with_work)
+    for part in parts:
         shown = os.path.join(level.shown, part.name)
-        inner = named_by(chapters, SYSTEMS, entries_of(part.path))
-        found += (submissions_of_systems(chapters, shown, inner)
+        inner = classes and named_by(chapters, SYSTEMS, entries_of(part.path))
+        found += (inner and submissions_of_systems(chapters, shown, inner)
                   or [submission_of(chapters, part, shown)])
-    nobodys = min(own.candidates.items(), default=None)
+    nobodys = min(rest.candidates.items(), default=None)
     return (found,
             f"{clean(shown_name(nobodys[1][0][6]))} is nobody's: it lies next to students' folders"
             if nobodys else '')
@@ -730,6 +742,7 @@ def find_submissions(paths, chapters, one=False, each=False):
            if one or not any(entry is part for part, *_ in named)}
     classes = {} if one or each or len(paths) == 1 else {
         path: entry for path, entry in top.items() if entry.is_folder}
+    own = len(top) > 1 and not are_classes(chapters, [one for one in top.values() if one.is_folder])
     in_sections = students_in_sections(chapters, classes)
     found += in_sections
     for path, entry in top.items():
@@ -739,7 +752,7 @@ def find_submissions(paths, chapters, one=False, each=False):
             remarks.append(f'skipped, not a folder: {clean(path)}'
                            + (f': {WHY_NOT[entry.path]}' if entry.path in WHY_NOT else ''))
             continue
-        more, remark = students_in(chapters, path, entry, len(paths) == 1, one, each)
+        more, remark = students_in(chapters, path, entry, len(paths) == 1, one, each, own)
         found += more
         remarks += [remark] if remark else []
     return found, remarks
