@@ -144,6 +144,8 @@ expect "all are right" 0 "2 of 2 right.
 expect "no such exercise" 2 "there is no exercise '02.9'" 02.9
 expect "no such chapter" 2 "chapter '09' has no exercises" 09
 expect "no such word" 2 "check takes one exercise" 02.1 02.2
+expect "a word too many" 2 "check takes one chapter or one exercise, such as 02 or 02.1" 02 03
+expect "a question of no chapter" 2 "there is no chapter with a question '99.a'" 99.a
 expect "a word" 2 "'twelve' is no exercise" twelve
 expect "reset of a word" 2 "'../x' is no exercise" reset ../x
 expect "help" 0 "usage: ./course check" --help

@@ -86,9 +86,9 @@ start_of() { shown "$1" -e '/^ *\/\/ solution$/,/^ *\/\/ start: /{' -e '/^ *\/\/
 # remember ID STATUS: whether it is right, and for which lines.
 remember() {
   mkdir -p out/exercises
-  { grep -v "^$1 " "$passed" 2>/dev/null || :; } >"$passed.new"
-  [ "$2" != 0 ] || printf '%s %s\n' "$1" "$(cksum <"$file")" >>"$passed.new"
-  mv "$passed.new" "$passed"
+  { grep -v "^$1 " "$passed" 2>/dev/null || :; } >"$passed.$$" # of its own: another check may run beside it
+  [ "$2" != 0 ] || printf '%s %s\n' "$1" "$(cksum <"$file")" >>"$passed.$$"
+  mv "$passed.$$" "$passed"
 }
 
 list() {
@@ -148,6 +148,7 @@ check() {
 
 # question ID [NUMBER]: asks it, or judges the number; the right one is shown after the second that is wrong.
 question() {
+  ids | grep -q "^${1%.*}[.]" || wrong "there is no chapter with a question '$1'"
   ./course --build learn "check_${1%.*}" 2 || exit 2
   program=build/learn/bin/check_${1%.*}
   [ $# -eq 2 ] || exec "$program" --question "$1"
@@ -211,6 +212,7 @@ case "${1:-}" in
     question "$@"
     ;;
   [0-9][0-9])
+    [ $# -eq 1 ] || wrong "check takes one chapter or one exercise, such as 02 or 02.1"
     all=$(ids | grep "^$1") || wrong "chapter '$1' has no exercises"
     worst=0
     for id in $all; do

@@ -106,10 +106,31 @@ struct Findings {
   }
 };
 
+/// What the student's function throws.
+struct Thrown : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What the student's function returns, and its picture.
+struct Tried {
+  Verdict verdict;
+  Image picture;
+};
+/// Errors: Thrown; std::runtime_error for a function with other arguments.
+Tried tried(const Exercise& exercise) {
+  try {
+    return {exercise.verdict(attempt.function), exercise.draw(attempt.function)};
+  } catch (const std::bad_any_cast&) {
+    throw std::runtime_error("the function must be: " + attempt.signature);
+  } catch (const std::exception& error) {
+    throw Thrown(std::string("your function throws: ") + error.what());
+  }
+}
+
 /// Checks the student's function, draws the pictures, and writes the page. Returns the status.
 int check_exercise(const Exercise& exercise, const Request& request) {
-  const Verdict verdict = exercise.verdict(attempt.function);
-  const Image yours = exercise.draw(attempt.function), right = exercise.draw({});
+  const auto [verdict, yours] = tried(exercise);
+  const Image right = exercise.draw({});
   const Findings found(verdict, yours, right);
   const std::string words = found.in_words(exercise.id, request.title);
   print(words);
@@ -136,11 +157,10 @@ int check_exercise(const Exercise& exercise, const Request& request) {
 
 /// Writes the picture of the student's function, pixel by pixel, and its values.
 void write_values(const Exercise& exercise, const std::string& file) {
-  const std::string values = exercise.verdict(attempt.function).values;
-  const Image yours = exercise.draw(attempt.function);
+  const auto [verdict, yours] = tried(exercise);
   std::string bytes(yours.pixels.size() * sizeof(Rgb8), '\0');
   std::memcpy(bytes.data(), yours.pixels.data(), bytes.size());
-  write_text_atomically(path_of(file), bytes + values);
+  write_text_atomically(path_of(file), bytes + verdict.values);
 }
 
 /// Checks the student's function, or writes down its values. Returns the exit status.
@@ -150,8 +170,10 @@ int check_attempt(const Exercise& exercise, const Request& request) {
     if (request.values.empty()) return check_exercise(exercise, request);
     write_values(exercise, request.values);
     return 0;
-  } catch (const std::bad_any_cast&) {
-    throw std::runtime_error("the function must be: " + attempt.signature);
+  } catch (const Thrown& error) {
+    if (!request.values.empty()) throw;
+    print(exercise.id + "  not yet: " + error.what() + "\n");
+    return 1;
   }
 }
 

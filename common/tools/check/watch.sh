@@ -21,7 +21,14 @@ case "$what" in
     picture=out/exercises/$what/yours.png
     watched="chapters/${what%.*}_*/exercises/${what#*.}_*.hpp"
     ;;
+  00) wrong "watch takes the chapters from 01 on: 00 is one file, ./course run 00 draws it" ;;
   [0-9][0-9])
+    for word in "$@"; do
+      case "$word" in
+        --number | --number=* | --budget | --budget=* | --instructions | --instructions=* | --trade | --extremes)
+          wrong "watch builds for learning, with double alone: leave out ${word%%=*}, or ./course run $what takes it" ;;
+      esac
+    done
     for chapter in chapters/"$what"_*; do program=${chapter#chapters/}; done
     picture=$PWD/$folder/drawn.png
     set -- --quiet --out "$picture" "$@"
