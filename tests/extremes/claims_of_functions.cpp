@@ -70,9 +70,9 @@ void add_functions(Family& family) {
     add("tan", "up to 1e6, near quarter turns, too (extended: 10 of them)", 2.5, pair(angle, zero),
         [](const auto& x, const auto&) { return tan(x); });
     const auto base_and_exponent = [=](Dice& dice) {
-      const double logarithm =
-          dice.once_in(2) ? dice.between(-13.8, 13.8)
-                          : dice.sign() * static_cast<double>(dice.power_of_ten(-4, 0));
+      const double logarithm = dice.once_in(2)
+                                   ? dice.between(-13.8, 13.8)
+                                   : dice.sign() * static_cast<double>(dice.power_of_ten(-4, 0));
       return std::array<T, 2>{
           static_cast<T>(std::exp(logarithm)),
           static_cast<T>(dice.between(-1, 1) * 0.99 * most_exponent / std::abs(logarithm))};
