@@ -28,7 +28,7 @@ void check_writable(const std::filesystem::path& path);
 
 /// Writes the file all at once: at any moment the path names the whole old or the whole new file,
 /// unless the machine itself stops.
-/// Devices (/dev/null, NUL) are written to. On Windows Ctrl-C may leave a draft, .texmap-..., there.
+/// Devices (/dev/null, NUL) are written to. On Windows Ctrl-C may leave a draft, .texmap-... there.
 ///
 /// Errors: FileError; then the old file is unchanged, and nothing new is left behind.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
