@@ -331,9 +331,10 @@ std::string wrong(const Choices& choices, const Image& mine, std::vector<WrongPi
                    stages.empty() ? nullptr : stages.data());
   }
   if (found.empty()) {
+    const std::string quote = choices.file.find(' ') == std::string::npos ? "" : "\"";
     found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
-            nearest.name.substr(0, 2) + "'s:\n  where       ./course diff \"" + choices.file +
-            "\" tests/golden/" + nearest.name + ".png\n  more        " +
+            nearest.name.substr(0, 2) + "'s:\n  where       ./course diff " + quote + choices.file +
+            quote + " tests/golden/" + nearest.name + ".png\n  more        " +
             place_of(choices.root(), "symptoms.html", "", "docs/symptoms.md");
   }
   return found + (candidates.size() > 1 ? if_another : "");

@@ -200,7 +200,7 @@ class Grading:
         self.stopping = threading.Event()
         self.stopped = False  # by Ctrl-C
         self.pictures = None
-        self.table = None  # grades.csv, from the first row on: until then an earlier run's stays
+        self.table = None  # grades.csv; that of an earlier run stays until the first row
         self.finished = 0
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self.stop)
@@ -223,6 +223,8 @@ class Grading:
             if item.golden:
                 # what a student's program makes of it later does not count
                 self.pictures.compare(item.golden, item.golden)
+        if not (self.out / 'grades.csv').exists():
+            self.open_table()
         try:
             everybody = range(len(self.students))
             for begin in everybody[::TOGETHER]:
@@ -362,6 +364,11 @@ class Grading:
             self.progress(f'{ended} of {len(tasks)} done: {clean(self.students[i].name)} '
                           f'{self.items[k].number}')
 
+    def open_table(self):
+        self.table = open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='')
+        self.table.write(results.table([], results.COLUMNS, []))
+        self.table.flush()
+
     def put(self, i, k, row):
         """Keeps a row; with the last one of a student, writes the student's page."""
         student = self.students[i]
@@ -371,8 +378,7 @@ class Grading:
             row.add_note('points by hand' + (note and f': {note}'))
             row.word = 'by hand' if row.word == 'ok' and not row.right else row.word
         if not self.table:
-            self.table = open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='')
-            self.table.write(results.table([], results.COLUMNS, []))
+            self.open_table()
         self.table.write(results.grades_csv_line(student, row))
         self.table.flush()
         student.all_rows[k] = row
