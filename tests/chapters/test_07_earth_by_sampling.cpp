@@ -222,8 +222,8 @@ TEST_CASE("a reader's lesson has the light of the pixels without an object, too"
   InHalfLight half;
   static_cast<Lesson&>(half) = lesson;
   const Film film = film_of(half, 16), whole = film_of(lesson, 16);
-  for (const int row : {0, film.height() / 2})  // the sky, the globe
-    CHECK(std::abs(film.light(32, row).r / whole.light(32, row).r - 0.5) < 1e-6);
+  CHECK(std::abs(film.light(0, 0).r / whole.light(0, 0).r - 0.5) < 1e-6);      // the sky
+  CHECK(std::abs(film.light(32, 18).r / whole.light(32, 18).r - 0.5) < 1e-6);  // the globe
 }
 
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
