@@ -157,8 +157,8 @@ template <class Object, class Sky>
   return {};
 }
 
-/// The light of a lesson's picture. Pixels that miss a lone sphere skip it, smooth pixels are
-/// patches, and pixels of one kind are packed together.
+/// The light of a lesson's picture. Pixels that miss a lone sphere skip it, where the lesson sees
+/// the sky as it is; smooth pixels are patches, and pixels of one kind are packed together.
 ///
 /// @param lesson   called with a prepared scene, a place and random numbers, returns the light
 /// @param objects  the lesson's or a plan's

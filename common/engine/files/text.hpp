@@ -25,7 +25,7 @@ namespace texmap {
 /// A number as people write it, 0.3 and not 0.299999, with at most so many digits.
 [[nodiscard]] std::string shown(double value, int digits = 6);
 
-/// A finite number in 15 to 17 digits: so few that read back as the same number.
+/// A finite number in 15, 16 or 17 digits: the fewest that read back as the same number.
 [[nodiscard]] std::string round_trip(double value);
 
 /// A piece of a file as a message shows it: so many bytes at most, all of which a terminal shows.

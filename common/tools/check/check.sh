@@ -86,7 +86,8 @@ start_of() { shown "$1" -e '/^ *\/\/ solution$/,/^ *\/\/ start: /{' -e '/^ *\/\/
 # remember ID STATUS: whether it is right, and for which lines.
 remember() {
   mkdir -p out/exercises
-  { grep -v "^$1 " "$passed" 2>/dev/null || :; } >"$passed.$$" # of its own: another check may run beside it
+  # A file of its own: another check may run beside this one.
+  { grep -v "^$1 " "$passed" 2>/dev/null || :; } >"$passed.$$"
   [ "$2" != 0 ] || printf '%s %s\n' "$1" "$(cksum <"$file")" >>"$passed.$$"
   mv "$passed.$$" "$passed"
 }

@@ -7,7 +7,7 @@ shift
 folder=out/watch
 
 wrong() {
-  printf 'error: %s\n' "$1" >&2
+  printf 'error: %s\n' "$*" >&2
   exit 2
 }
 
@@ -25,8 +25,11 @@ case "$what" in
   [0-9][0-9])
     for word in "$@"; do
       case "$word" in
-        --number | --number=* | --budget | --budget=* | --instructions | --instructions=* | --trade | --extremes)
-          wrong "watch builds for learning, with double alone: leave out ${word%%=*}, or ./course run $what takes it" ;;
+        --number | --number=* | --budget | --budget=* | --instructions | --instructions=* | --trade | \
+          --extremes)
+          wrong "watch builds for learning, with double alone: leave out ${word%%=*}," \
+            "or ./course run $what takes it"
+          ;;
       esac
     done
     for chapter in chapters/"$what"_*; do program=${chapter#chapters/}; done
